@@ -1,0 +1,156 @@
+// What a case is: the constants that a generated header provides, and what follows from them.
+//
+// A case file (cases/*.toml) becomes a struct of `static constexpr` values in namespace fixdem::cases (tools/casegen
+// writes it); everything in the kernel is a template over that struct. This file gives the vocabulary of choices, the
+// coefficients of the contact law derived once at compile time, the capacities, and the refusals: a configuration
+// that makes no sense does not compile, and the message says what to change. SI units throughout.
+//
+// Equation numbers are those of Tsuji, Tanaka & Ishida, Powder Technology 71 (1992) 239-250.
+#pragma once
+
+#include "constant_math.hpp"
+
+namespace fixdem {
+
+enum class NormalLaw { hertz, linear };
+/// What of the tangential spring is remembered: its displacement (eq. 7), its force, or its force rescaled on unloading.
+enum class TangentialLaw { displacement, force, rescale };
+/// Coulomb slider: `clip` caps the spring, then the total; `paper` is eqs. (10)-(12) to the letter.
+enum class Slider { clip, paper };
+/// Damping coefficient from the restitution (eq. 26 or its linear form), or critical (eq. 23; linear law only).
+enum class Damping { restitution, critical };
+/// Mass in eq. (26) between spheres: the reduced mass m/2 (restitution as asked), or m as the paper prints it.
+enum class DampingMass { reduced, particle };
+enum class Ends { periodic, closed };
+enum class Integrator { euler, leapfrog };
+enum class Precision { double_precision };
+/// How the height of the bed counts against the pipe when almost full (kernel/gas_slices.hpp).
+enum class BedHeight { continuous, hard, strict };
+
+/// Where the particles of a run come from; the kernel itself never looks at it.
+enum class StartKind { random, placed, from };
+
+/// One particle of a `[[start.particle]]` list.
+struct Placed {
+  double position[3];          ///< m
+  double velocity[3];          ///< m/s
+  double angular_velocity[3];  ///< rad/s
+};
+
+/// Everything the step needs that follows from a case, evaluated at compile time.
+template <class Case>
+struct Derived {
+  static constexpr double pi = 3.14159265358979323846;
+  static constexpr double radius = Case::diameter / 2;
+  static constexpr double volume = pi / 6 * Case::diameter * Case::diameter * Case::diameter;
+  static constexpr double mass = volume * Case::density;
+  static constexpr double moment_of_inertia = 0.4 * mass * radius * radius;
+  static constexpr double pipe_radius = Case::pipe_diameter / 2;
+
+  static constexpr bool has_friction = Case::friction > 0;  ///< without it: no rotation, no tangential history
+  static constexpr bool has_ends = Case::ends == Ends::closed;
+  static constexpr bool has_walls = Case::has_wall || has_ends;
+  static constexpr bool is_periodic = Case::ends == Ends::periodic;
+  static constexpr bool is_hertz = Case::normal == NormalLaw::hertz;
+
+  static constexpr double shear_modulus = Case::youngs_modulus / (2 * (1 + Case::poisson_ratio));  // eq. (20)
+
+  /// Normal stiffness: N/m^1.5 with Hertz (eqs. 16, 17), N/m with the linear law.
+  static constexpr double stiffness_pair =
+      is_hertz ? square_root(2 * radius) * Case::youngs_modulus / (3 * (1 - Case::poisson_ratio * Case::poisson_ratio))
+               : Case::normal_stiffness;
+  static constexpr double stiffness_wall =
+      is_hertz ? 4.0 / 3.0 * square_root(radius) /
+                     ((1 - Case::poisson_ratio * Case::poisson_ratio) / Case::youngs_modulus +
+                      (1 - Case::wall_poisson_ratio * Case::wall_poisson_ratio) / Case::wall_youngs_modulus)
+               : Case::normal_stiffness;
+
+  /// Tangential stiffness: k_t = value * sqrt(overlap) with Hertz (eqs. 21, 22), N/m with the linear law.
+  static constexpr double tangential_stiffness_pair =
+      is_hertz ? 2 * square_root(2 * radius) * shear_modulus / (2 - Case::poisson_ratio) : Case::tangential_stiffness;
+  static constexpr double tangential_stiffness_wall =
+      is_hertz ? 8 * square_root(radius) * shear_modulus / (2 - Case::poisson_ratio) : Case::tangential_stiffness;
+
+  /// -ln e / sqrt(pi^2 + ln^2 e): the damping ratio of a linear oscillator that returns the restitution e.
+  static constexpr double damping_ratio =
+      -logarithm(Case::restitution) /
+      square_root(pi * pi + logarithm(Case::restitution) * logarithm(Case::restitution));
+  static constexpr double alpha = 2.2360679774997897 * damping_ratio;  // closed form of eq. (30); sqrt(5)
+
+  /// Mass in eq. (26) for a pair and for a wall.
+  static constexpr double damping_mass_pair = Case::damping_mass == DampingMass::reduced ? mass / 2 : mass;
+  static constexpr double damping_mass_wall = mass;
+
+  /// Normal damping: eta = value * overlap^(1/4) with Hertz (eq. 26); kg/s, constant, with the linear law.
+  static constexpr double damping(double stiffness, double damping_mass) {
+    if (is_hertz) return alpha * square_root(damping_mass * stiffness);
+    if (Case::damping == Damping::critical) return 2 * square_root(mass * stiffness);  // eq. (23)
+    return 2 * damping_ratio * square_root(damping_mass * stiffness);
+  }
+  static constexpr double damping_pair = damping(stiffness_pair, damping_mass_pair);
+  static constexpr double damping_wall = damping(stiffness_wall, damping_mass_wall);
+
+  /// Tangential damping: equal to the normal one (eq. 31), or critical with k_t (eq. 23).
+  static constexpr double tangential_damping_pair =
+      Case::damping == Damping::critical ? 2 * square_root(mass * tangential_stiffness_pair) : damping_pair;
+  static constexpr double tangential_damping_wall =
+      Case::damping == Damping::critical ? 2 * square_root(mass * tangential_stiffness_wall) : damping_wall;
+
+  static constexpr double slice_length = Case::pipe_length / Case::slice_count;
+};
+
+/// Fixed sizes of the arrays. Each says why it is what it is and what happens when it is not enough.
+template <class Case>
+struct Capacity {
+  static constexpr int lanes = 8;  ///< contacts in a batch, on every machine: it is the data layout, not the register
+
+  /// Near pairs of one particle. Twelve equal spheres touch a central one at most; the greatest number observed at a
+  /// list cut of 1.05 d is 12. The case can set it (`[capacity] neighbours`, default 14). Overflow: the run stops.
+  static constexpr int neighbours = Case::neighbour_capacity;
+
+  /// Particles in a chunk of the pipe: at least those whose centres can lie within 1.1 d along the axis, so that a
+  /// contact joins a chunk with itself or the next one. Random close packing (0.64) of that slab, and 64 at least,
+  /// because smaller chunks waste lanes. Overflow (a denser slab than random close packing): the run stops.
+  static constexpr int slab_particles = static_cast<int>(
+      1.1 * 0.70 * 1.5 * (Case::pipe_diameter / Case::diameter) * (Case::pipe_diameter / Case::diameter)) + 4;
+  static constexpr int chunk_size = (slab_particles < 64 ? 64 : (slab_particles + 15) / 16 * 16);
+  static constexpr int chunks = (Case::particle_count + chunk_size - 1) / chunk_size;
+
+  /// Pairs owned by the particles of one chunk, each pair counted once: half the neighbours of each, and one batch of
+  /// slack. Observed: 2.3 owned near pairs per particle on average in a bed. Overflow: the run stops.
+  static constexpr int chunk_pairs = (chunk_size * neighbours / 2 + 2 * lanes - 1) / lanes * lanes;
+
+  /// Pairs across the periodic ends: one slab on either side.
+  static constexpr int wrap_pairs = chunk_pairs;
+};
+
+/// Refuses what makes no sense. Casegen refuses the same with file and line; this is for hand-written cases.
+template <class Case>
+struct Checked {
+  static_assert(Case::particle_count >= 1, "fixdem: [particles] count must be at least 1");
+  static_assert(Case::diameter > 0 && Case::density > 0, "fixdem: [particles] diameter and density must be positive");
+  static_assert(Case::diameter < Case::pipe_diameter,
+                "fixdem: the particle is wider than the pipe: lower [particles] diameter or raise [pipe] diameter");
+  static_assert(Case::restitution > 0 && Case::restitution <= 1,
+                "fixdem: [material] restitution must be above 0 and at most 1");
+  static_assert(Case::friction >= 0, "fixdem: [material] friction must not be negative");
+  static_assert(Case::normal != NormalLaw::hertz || (Case::poisson_ratio >= 0 && Case::poisson_ratio <= 0.5),
+                "fixdem: [material] poisson_ratio must lie between 0 and 0.5");
+  static_assert(Case::normal != NormalLaw::hertz || Case::youngs_modulus > 0,
+                "fixdem: [material] youngs_modulus must be positive");
+  static_assert(Case::normal != NormalLaw::linear || (Case::normal_stiffness > 0 && Case::tangential_stiffness > 0),
+                "fixdem: normal = \"linear\" needs [contact] normal_stiffness and tangential_stiffness above 0");
+  static_assert(Case::damping != Damping::critical || Case::normal == NormalLaw::linear,
+                "fixdem: damping = \"critical\" belongs to normal = \"linear\"; with \"hertz\" use \"restitution\"");
+  static_assert(Case::ends != Ends::periodic || Case::pipe_length >= 4 * Case::diameter,
+                "fixdem: a periodic pipe must be at least 4 particle diameters long: raise [pipe] length");
+  static_assert(Case::ends != Ends::closed || Case::pipe_length >= 2 * Case::diameter,
+                "fixdem: a closed pipe must be at least 2 particle diameters long: raise [pipe] length");
+  static_assert(!Case::has_gas || Case::has_wall, "fixdem: the gas model needs the pipe wall: set [pipe] wall = true");
+  static_assert(Case::time_step > 0, "fixdem: [run] time_step must be positive");
+  static_assert(Case::neighbour_capacity >= 2 && Case::neighbour_capacity <= 30,
+                "fixdem: [capacity] neighbours must lie between 2 and 30");
+  static constexpr bool ok = true;
+};
+
+}  // namespace fixdem

@@ -1,0 +1,226 @@
+// The public face: one simulation of one case.
+//
+//   static fixdem::Simulation<fixdem::cases::settle> simulation;   // all of its memory, known at compile time
+//   for (int id = 0; id < count; ++id) simulation.place(id, particle);
+//   Status status = simulation.start();
+//   status = simulation.run(100000);
+//
+// A case is a struct of constants, generated from a case file by tools/casegen (kernel/case.hpp says what is in it). The
+// object is large (about 1.2 kB per particle) and belongs in static storage. No call allocates, throws or prints.
+// Results are the same bytes for the same case, lane width and compiler notwithstanding.
+#pragma once
+
+#include "observe.hpp"
+
+namespace fixdem {
+
+/// A capacity, and the greatest use made of it so far.
+struct HighWater {
+  const char* name;
+  int limit, high_water;
+};
+
+template <class Case, int W = native_lanes>
+class Simulation {
+  static_assert(Checked<Case>::ok);
+  using D = Derived<Case>;
+
+ public:
+  using case_type = Case;
+  static constexpr int count = Case::particle_count;
+
+  /// Places particle `id` (0 .. count-1). All are placed before start(); values in SI units.
+  void place(int id, const Particle& particle) { placed_[id] = particle; }
+
+  /// Sorts, checks and lists; clears contact histories, clocks and ledgers. A fault names what cannot start.
+  Status start() {
+    s_.step = 0;
+    s_.status = {};
+    s_.watch = {};
+    s_.near_list.most_neighbours = s_.near_list.most_chunk_pairs = s_.near_list.most_wrap_pairs = 0;
+    s_.near_list.most_reach = 0;
+    s_.near_list.renewals = 0;
+    clear_contacts();
+    double speed = 0;
+    for (int i = 0; i < count; ++i) {
+      s_.particles.id[i] = i;
+      s_.particles.image[i] = 0;
+      const Particle& from = placed_[i];
+      double* x = s_.particles.position[i];
+      double* v = s_.particles.motion[i];
+      for (int c = 0; c < 4; ++c) x[c] = c < 3 ? from.position[c] : 0;
+      for (int c = 0; c < 4; ++c) v[c] = c < 3 ? from.velocity[c] : 0;
+      if constexpr (D::has_friction)
+        for (int c = 0; c < 4; ++c) v[4 + c] = c < 3 ? D::radius * from.angular_velocity[c] : 0;
+      if constexpr (Particles<Case>::predicts)
+        for (int c = 0; c < 4; ++c) x[c] += 0.5 * Case::time_step * v[c], s_.particles.last_kick.row[i][c] = 0;
+      if constexpr (Case::has_gas)
+        for (int c = 0; c < 4; ++c) s_.particles.gas_kick.row[i][c] = 0;
+      speed = max(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), speed);
+    }
+    s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.kept, speed, count);
+    if (s_.status.ok()) s_.status = deepest();
+    for (int c = 0; c < 3; ++c) start_place_[c] = place_sum(c);
+    return s_.status;
+  }
+
+  /// Sets the history of a contact that start() has listed; metres, or newtons with the incremental forms. Partner as
+  /// in Contact. Contacts that are not near are ignored: they have no history.
+  void restore_history(int owner, int partner, const double (&history)[3]) {
+    if constexpr (D::has_friction) {
+      constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::mass;
+      const auto set = [&](auto& batches, int batch, int lane, double sign) {
+        for (int c = 0; c < 3; ++c) batches.history.value[batch][c][lane] = sign * unit * history[c];
+      };
+      if (partner >= 0) {
+        for_each_near_pair(s_.contacts, [&](int batch, int lane, int i, int j) {
+          const int a = s_.particles.id[i], b = s_.particles.id[j];
+          if (a == owner && b == partner) set(s_.contacts.pairs, batch, lane, 1);
+          if (a == partner && b == owner) set(s_.contacts.pairs, batch, lane, -1);
+        });
+        return;
+      }
+      const auto set_wall = [&](auto& walls) {
+        for_each_near_wall<Case>(walls, [&](int batch, int lane, int i) {
+          if (s_.particles.id[i] == owner) set(walls, batch, lane, 1);
+        });
+      };
+      if constexpr (Case::has_wall)
+        if (partner == pipe_wall) set_wall(s_.contacts.pipe);
+      if constexpr (D::has_ends)
+        if (partner != pipe_wall) set_wall(s_.contacts.ends);
+    }
+  }
+
+  /// Advances by `steps` time steps, or to the first fault. After a fault it does nothing more.
+  Status run(long long steps) {
+    for (long long k = 0; k < steps && s_.status.ok(); ++k) fixdem::step<Case, W>(s_);
+    if (s_.status.fault == Fault::overlap && s_.status.particle < 0) s_.status.particle = deepest().particle;
+    return s_.status;
+  }
+
+  Status status() const { return s_.status; }
+  long long step() const { return s_.step; }
+  double time() const { return static_cast<double>(s_.step) * Case::time_step; }
+
+  /// Particle by input number: position and velocity at the same time, z within a periodic pipe.
+  Particle particle(int id) const {
+    const int i = row_of(id);
+    const double *x = s_.particles.position[i], *v = s_.particles.motion[i];
+    Particle p{{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {}};
+    if constexpr (Particles<Case>::predicts)
+      for (int c = 0; c < 3; ++c) p.position[c] -= 0.5 * Case::time_step * v[c];
+    if constexpr (D::is_periodic) p.position[2] -= turns(p.position[2]) * Case::pipe_length;
+    if constexpr (D::has_friction)
+      for (int c = 0; c < 3; ++c) p.angular_velocity[c] = v[4 + c] / D::radius;
+    return p;
+  }
+
+  /// Crossings of the periodic ends so far: unwrapped z = particle(id).position[2] + image(id) * length.
+  int image(int id) const {
+    const int i = row_of(id);
+    double z = s_.particles.position[i][2];
+    if constexpr (Particles<Case>::predicts) z -= 0.5 * Case::time_step * s_.particles.motion[i][2];
+    return s_.particles.image[i] + (D::is_periodic ? turns(z) : 0);
+  }
+
+  /// Visits every contact with overlap: f(const Contact&).
+  template <class F>
+  void for_each_contact(F&& f) const {
+    detail::for_each_observed(s_, [&](const detail::Observed<Case>& o) { f(o.contact); });
+  }
+
+  Observation observe() const { return fixdem::observe(s_); }
+
+  /// Where the energy is and where it went. Dissipation and gas work are zero in a case without energy ledger.
+  Energy energy() const {
+    const Observation o = observe();
+    Energy e{};
+    e.kinetic = o.kinetic_translation + o.kinetic_rotation;
+    detail::for_each_observed(s_, [&](const detail::Observed<Case>& seen) { e.elastic += seen.elastic; });
+    e.dissipated_damping = D::mass * Watch::sum(s_.watch.damping_power);
+    e.dissipated_sliding = D::mass / Case::time_step * Watch::sum(s_.watch.sliding_work);
+    for (int c = 0; c < 3; ++c) e.gravity_work += D::mass * Case::gravity[c] * (place_sum(c) - start_place_[c]);
+    e.gas_work = D::mass * Watch::sum(s_.watch.gas_work);
+    return e;
+  }
+
+  // Gas at the last update; cases with gas only. Slices count from z = 0.
+  double pressure_gradient(int slice) const { return s_.gas.pressure_gradient[slice]; }       ///< Pa/m
+  double void_fraction(int slice) const { return s_.gas.void_fraction[slice]; }               ///< of the bed
+  double bed_area(int slice) const { return s_.gas.bed_area[slice]; }                         ///< m2
+  double gas_velocity_above(int slice) const { return s_.gas.velocity_above[slice]; }         ///< m/s
+  double gas_velocity_in_bed(int slice) const { return s_.gas.velocity_in_bed[slice]; }       ///< m/s
+  /// Over the whole pipe, Pa.
+  double pressure_drop() const {
+    double drop = 0;
+    for (int s = 0; s < Case::slice_count; ++s) drop += s_.gas.pressure_gradient[s] * D::slice_length;
+    return drop;
+  }
+
+  static constexpr int high_water_count() { return 4; }
+  HighWater high_water(int k) const {
+    using Cap = Capacity<Case>;
+    const NearList<Case>& near = s_.near_list;
+    switch (k) {
+      case 0: return {"neighbours", Cap::neighbours, near.most_neighbours};
+      case 1: return {"chunk_pairs", Cap::chunk_pairs, near.most_chunk_pairs};
+      case 2: return {"wrap_pairs", D::is_periodic ? Cap::wrap_pairs : 0, near.most_wrap_pairs};
+      default: return {"chunk_size", Cap::chunk_size, near.most_reach};
+    }
+  }
+  /// How often the near list was renewed.
+  long long renewals() const { return s_.near_list.renewals; }
+
+  State<Case>& state() { return s_; }  ///< for benchmarks and tests of single stages
+
+ private:
+  /// Whole periods that a place lies outside [0, length).
+  static int turns(double z) {
+    int n = 0;
+    while (z - n * Case::pipe_length < 0) --n;
+    while (z - n * Case::pipe_length >= Case::pipe_length) ++n;
+    return n;
+  }
+
+  int row_of(int id) const {
+    if (id_row_[id] < count && s_.particles.id[id_row_[id]] == id) return id_row_[id];
+    for (int i = 0; i < count; ++i) id_row_[s_.particles.id[i]] = i;
+    return id_row_[id];
+  }
+
+  void clear_contacts() {
+    for (int c = 0; c < PairBatches<Case>::ranges; ++c) s_.contacts.pairs.count[c] = 0;
+    for (int c = 0; c < Capacity<Case>::chunks; ++c) {
+      if constexpr (Case::has_wall) s_.contacts.pipe.count[c] = 0;
+      if constexpr (D::has_ends) s_.contacts.ends.count[c] = 0;
+    }
+    if constexpr (D::has_friction) s_.kept.clear();
+    for (double& r : s_.contacts.rows) r = 0;
+  }
+
+  /// The contact with the greatest overlap, as a fault where it is beyond the limit.
+  Status deepest() const {
+    Status worst{};
+    detail::for_each_observed(s_, [&](const detail::Observed<Case>& o) {
+      const double overlap = o.contact.overlap / D::radius;
+      if (overlap > worst.value) worst = {Fault::overlap, s_.step, o.contact.owner, overlap, Case::max_overlap};
+    });
+    if (!(worst.value > Case::max_overlap)) worst.fault = Fault::none;
+    return worst;
+  }
+
+  double place_sum(int c) const {
+    double sum = 0;
+    for (int i = 0; i < count; ++i)
+      sum += s_.particles.position[i][c] + (c == 2 ? s_.particles.image[i] * Case::pipe_length : 0);
+    return sum;
+  }
+
+  State<Case> s_;
+  Particle placed_[count];
+  double start_place_[3];
+  mutable int id_row_[count];
+};
+
+}  // namespace fixdem

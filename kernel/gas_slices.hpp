@@ -1,0 +1,190 @@
+// The gas: one-dimensional flow through slices of the pipe, partly through the bed and partly above it.
+//
+// In each slice the pressure gradient G is the same in the bed (Ergun, eqs. 33-35) and above it (Blasius, eqs. 36, 37), and
+// the two streams add up to the given flow (38). With c = (1 - eps)/eps^3, w = U_d - V_s:
+//   bed    G = a w|w| + b w,  a = 1.75 c rho/d_g,  b = 150 c (1 - eps) nu rho/d_g^2
+//   above  G = c_b y^7,  U_a = y^4,  c_b = 0.3164 (nu/D_h)^(1/4) rho/(2 D_h)
+// so that A_a y^4 + A_d w(y) = |A U - A_d V_s| is one equation for y, increasing and convex: a fixed number of Newton steps
+// solves it with products and square roots alone; the residual is checked. Each bed particle then feels G dz A_d / N along
+// the axis (32). A particle that floats above the bed counts in no slice and feels the drag of a single sphere.
+//
+// Forces are turned into the velocity change of one step and held until the next update. Slices are worked off W at a time.
+#pragma once
+
+#include "contacts.hpp"
+#include "near_list.hpp"
+#include "special_functions.hpp"
+#include "status.hpp"
+
+namespace fixdem {
+
+inline constexpr int newton_steps = 8;             ///< 5 reach rounding on random slices; see tests/gas_test.cpp
+inline constexpr double greatest_residual = 1e-9;  ///< relative to the flow
+inline constexpr double full_within = 1e-6;        ///< free height in pipe diameters below which a slice is full
+inline constexpr double least_void_fraction = 0.35, greatest_void_fraction = 0.95;
+inline constexpr double near_reach = 1.1;  ///< centres nearer than this, in diameters, make a particle part of the bed
+
+/// State of the slices at the last update.
+template <class Case, bool present = Case::has_gas>
+struct GasSlices {
+  static constexpr int count = Case::slice_count;
+  static constexpr int padded = (count + 7) / 8 * 8;
+  alignas(64) double particles[padded];           ///< bed particles
+  alignas(64) double axial_velocity_sum[padded];  ///< of the bed particles, m/s
+  alignas(64) double height[padded];              ///< of the highest top of a bed particle above the pipe's bottom, m
+  alignas(64) double bed_area[padded];            ///< A_d, m2; the whole section in a full slice, 0 in an empty one
+  alignas(64) double void_fraction[padded];
+  alignas(64) double pressure_gradient[padded];   ///< G, Pa/m, positive pushing along +z
+  alignas(64) double velocity_in_bed[padded];     ///< U_d, m/s
+  alignas(64) double velocity_above[padded];      ///< U_a, m/s; U_d in a full slice
+  bool floats[Case::particle_count];              ///< by input number
+  int slice_of[Case::particle_count];             ///< by row; scratch of one update
+};
+template <class Case>
+struct GasSlices<Case, false> {};
+
+namespace detail {
+
+/// Flow of one group of slices; reads particles, sums and heights, writes the rest. Returns the greatest residual.
+template <class Case, int W>
+double solve_slices(GasSlices<Case>& gas, int first) {
+  using V = Lanes<W>;
+  using D = Derived<Case>;
+  constexpr double R = D::pipe_radius, pipe_area = D::pi * R * R, U = Case::gas_velocity;
+  constexpr double rho = Case::gas_density, nu = Case::gas_viscosity, d_g = Case::gas_bed_diameter;
+  constexpr double d = Case::diameter, bore = Case::pipe_diameter;
+  const V one = splat<V>(1.0), zero{};
+
+  const V n = load<V>(gas.particles + first);
+  const auto occupied = n > 0.0;
+  const V mean_velocity = load<V>(gas.axial_velocity_sum + first) / max(n, one);
+  const V top = load<V>(gas.height + first);
+  V h = select(top < bore, top, splat<V>(bore));
+  if constexpr (Case::gas_bed_height == BedHeight::continuous) {
+    const V over = (h - (bore - 2 * d)) / d;
+    h = h + d * select(over < 1.0, max(over, zero), one);
+  } else if constexpr (Case::gas_bed_height == BedHeight::hard) {
+    h = select(bore - h < d, splat<V>(bore), h);
+  }
+  const auto full = bore - h < full_within * bore;
+  h = select(full, splat<V>(bore * (1 - full_within)), h);  // keeps the arithmetic of the free section finite
+
+  // Section: free arc, chord and areas.
+  const V free_angle = arc_cosine((h - R) / R);  // half of it
+  const V half_chord = sqrt(max(2 * R * h - h * h, zero));
+  const V free_area = R * R * free_angle - (h - R) * half_chord;
+  V area_above = select(occupied, free_area, splat<V>(pipe_area));
+  V bed_area = select(occupied, select(full, splat<V>(pipe_area), pipe_area - free_area), zero);
+  const V hydraulic_diameter =
+      select(occupied, 4.0 * free_area / (2 * R * free_angle + 2.0 * half_chord), splat<V>(bore));
+
+  // Void fraction and Ergun's coefficients.
+  const V solids = n * D::volume / (max(bed_area, splat<V>(1e-12 * pipe_area)) * D::slice_length);
+  V eps = 1.0 - solids;
+  eps = max(select(eps < greatest_void_fraction, eps, splat<V>(greatest_void_fraction)), splat<V>(least_void_fraction));
+  const V c = (1.0 - eps) / (eps * eps * eps);
+  const V a = c * (1.75 * rho / d_g), b = c * (1.0 - eps) * (150 * nu * rho / (d_g * d_g));
+
+  // Flow split. Roots of roots approximate the 7th root: 1/7 = 1/8 + 1/64 + 1/512 + ...
+  const V flow = pipe_area * U - bed_area * mean_velocity;
+  const V demand = abs(flow);
+  const V c_b = 0.3164 * sqrt(sqrt(nu / hydraulic_diameter)) * rho / (2.0 * hydraulic_diameter);
+  const V y_above = sqrt(sqrt(demand / area_above));  // if all flowed above the bed
+  const V w_bed = demand / max(bed_area, splat<V>(1e-30));
+  const auto seventh_root = [](V x) {
+    const V eighth = sqrt(sqrt(sqrt(x))), next = sqrt(sqrt(sqrt(eighth)));
+    return eighth * next * sqrt(sqrt(sqrt(next)));
+  };
+  const V y_bed = seventh_root((a * w_bed + b) * w_bed / c_b);  // if all flowed through it
+  V y = select(occupied & (y_bed < y_above), y_bed, y_above);
+  V w = zero, residual = zero;
+  for (int step = 0; step <= newton_steps; ++step) {
+    const V y2 = y * y, y3 = y2 * y, gradient = c_b * (y2 * y2 * y3);
+    const V root = sqrt(b * b + 4.0 * a * gradient);
+    w = select(occupied, 2.0 * gradient / max(root + b, splat<V>(1e-300)), zero);
+    residual = area_above * y2 * y2 + bed_area * w - demand;
+    if (step == newton_steps) break;
+    const V w_slope = select(occupied, 7.0 * c_b * y3 * y3 / max(root, splat<V>(1e-300)), zero);
+    y = max(y - residual / max(4.0 * area_above * y3 + bed_area * w_slope, splat<V>(1e-300)), zero);
+  }
+  const V sign = select(flow < 0.0, -one, one);
+  const V y2 = y * y;
+  V gradient = sign * c_b * (y2 * y2 * y2 * y);
+  V in_bed = mean_velocity + sign * w, above = sign * (y2 * y2);
+
+  // A full slice lets nothing pass above the bed.
+  const V through = U - mean_velocity;
+  const auto plugged = occupied & full;
+  gradient = select(plugged, a * through * abs(through) + b * through, gradient);
+  in_bed = select(plugged, splat<V>(U), select(occupied, in_bed, zero));
+  above = select(plugged, splat<V>(U), above);
+  residual = select(plugged, zero, abs(residual) / max(demand, splat<V>(1e-30)));
+
+  store(gas.bed_area + first, bed_area);
+  store(gas.void_fraction + first, select(occupied, eps, one));
+  store(gas.pressure_gradient + first, gradient);
+  store(gas.velocity_in_bed + first, in_bed);
+  store(gas.velocity_above + first, above);
+  alignas(64) double residuals[W];
+  store(residuals, residual);
+  double greatest = 0;
+  for (double r : residuals) greatest = r <= greatest ? greatest : r;  // a NaN is kept
+  return greatest;
+}
+
+/// Drag on a floating sphere, as velocity change per step: C_d = 24/Re (1 + 0.15 Re^0.687) up to Re = 1000, then 0.44.
+template <class Case>
+void drag_on_floater(double gas_velocity, const double* velocity, double* kick) {
+  using D = Derived<Case>;
+  const double u[3] = {-velocity[0], -velocity[1], gas_velocity - velocity[2]};
+  const double speed = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  const double reynolds = speed * Case::diameter / Case::gas_viscosity;
+  const double area = D::pi * Case::diameter * Case::diameter / 8 * Case::gas_density;
+  // C_d |u| without 0/0 at rest: 24 nu/d (1 + ...).
+  const double drag = reynolds < 1000 ? 24 * Case::gas_viscosity / Case::diameter * (1 + 0.15 * power<687, 1000>(reynolds))
+                                      : 0.44 * speed;
+  for (int k = 0; k < 3; ++k) kick[k] = area * drag * u[k] * (Case::time_step / D::mass);
+}
+
+}  // namespace detail
+
+/// Number of the slice of a place along the pipe, which may lie a little outside [0, length).
+template <class Case>
+int slice_at(double z) {
+  constexpr double per_length = 1 / Derived<Case>::slice_length;
+  int slice = static_cast<int>(z * per_length + Case::slice_count) - Case::slice_count;  // rounds down from -count on
+  if (slice < 0) slice = Derived<Case>::is_periodic ? slice + Case::slice_count : 0;
+  if (slice >= Case::slice_count) slice = Derived<Case>::is_periodic ? slice - Case::slice_count : Case::slice_count - 1;
+  return slice;
+}
+
+/// New slice quantities and forces from the present positions and velocities.
+template <class Case, int W>
+Status update_slices(GasSlices<Case>& gas, Particles<Case>& p) {
+  using D = Derived<Case>;
+  for (int s = 0; s < gas.padded; ++s) gas.particles[s] = gas.axial_velocity_sum[s] = gas.height[s] = 0;
+  for (int i = 0; i < Case::particle_count; ++i) {
+    const int s = gas.slice_of[i] = slice_at<Case>(p.position[i][2]);
+    if (gas.floats[p.id[i]]) continue;
+    const double top = p.position[i][1] + D::pipe_radius + D::radius;
+    gas.particles[s] += 1;
+    gas.axial_velocity_sum[s] += p.motion[i][2];
+    gas.height[s] = max(top, gas.height[s]);
+  }
+  for (int first = 0; first < gas.padded; first += W)
+    if (const double residual = detail::solve_slices<Case, W>(gas, first); !(residual < greatest_residual))
+      return {Fault::gas_unsolved, 0, -1, residual, greatest_residual};
+  for (int i = 0; i < Case::particle_count; ++i) {
+    const int s = gas.slice_of[i];
+    double* kick = p.gas_kick.row[i];
+    kick[0] = kick[1] = kick[2] = kick[3] = 0;
+    if (gas.floats[p.id[i]])
+      detail::drag_on_floater<Case>(gas.velocity_above[s], p.motion[i], kick);
+    else
+      kick[2] = gas.pressure_gradient[s] * D::slice_length * gas.bed_area[s] / gas.particles[s] *
+                (Case::time_step / D::mass);  // eq. (32)
+  }
+  return {};
+}
+
+}  // namespace fixdem

@@ -1,0 +1,100 @@
+// Sum of the force rows of each particle, and its motion; eqs. (1)-(5), (13), (14).
+//
+// A particle adds the rows of its own contacts, subtracts the forces of the incoming ones (torques are equal on both
+// spheres and are added), adds gravity and gas, and moves while the sum is in registers: semi-implicit Euler, position
+// with the new velocity. With positions held half a step ahead the same two lines are the leapfrog. Rows are scaled to
+// velocity change per step; r dw = r^2 m / I times the torque row = 2.5 times it for a solid sphere.
+#pragma once
+
+#include "contacts.hpp"
+#include "watch.hpp"
+
+namespace fixdem {
+
+namespace detail {
+
+/// One row of a particle in 8 / W (or 4 / W) registers.
+template <int Width, int W>
+struct RowSum {
+  static constexpr int step = W < Width ? W : Width;
+  static constexpr int parts = Width / step;
+  using V = Lanes<step>;
+  V part[parts];
+  void add(const double* row) {
+    for (int p = 0; p < parts; ++p) part[p] = part[p] + load<V>(row + p * step);
+  }
+};
+
+/// Moves the `particles_in_bucket` particles of one bucket with k own and k incoming rows each.
+template <class Case, int W, int k>
+const RowNumber* move_bucket(const RowNumber* entry, int particles_in_bucket, int base, const double* rows,
+                             Particles<Case>& particles, Watch& watch) {
+  constexpr int width = Particles<Case>::motion_width;
+  using Sum = RowSum<width, W>;
+  using V = typename Sum::V;
+  alignas(64) static constexpr double gravity[8] = {Case::gravity[0] * Case::time_step,
+                                                    Case::gravity[1] * Case::time_step,
+                                                    Case::gravity[2] * Case::time_step};
+  alignas(64) static constexpr double incoming_sign[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
+  alignas(64) static constexpr double inertia[8] = {1, 1, 1, 1, 2.5, 2.5, 2.5, 2.5};  // r^2 m / I
+
+  for (int q = 0; q < particles_in_bucket; ++q, entry += 2 * k + 1) {
+    const int i = base + entry[0];
+    Sum own{}, incoming{};
+    for (int s = 0; s < k; ++s) {
+      own.add(rows + entry[1 + s] * width);
+      incoming.add(rows + entry[1 + k + s] * width);
+    }
+    for (int p = 0; p < Sum::parts; ++p) {
+      const int column = p * Sum::step;
+      V kick = fused(load<V>(incoming_sign + column), incoming.part[p], own.part[p]) + load<V>(gravity + column);
+      if (column < 4) {
+        if constexpr (Case::has_gas && Sum::step <= 4) kick = kick + load<V>(particles.gas_kick.row[i] + column);
+      }
+      if constexpr (Case::has_gas && Sum::step == 8) {
+        kick = kick + __builtin_shufflevector(load<Lanes<4>>(particles.gas_kick.row[i]), Lanes<4>{}, 0, 1, 2, 3, 4, 5, 6, 7);
+      }
+      double* motion = particles.motion[i] + column;
+      const V moved = fused(load<V>(inertia + column), kick, load<V>(motion));
+      store(motion, moved);
+      const V square = moved * moved;
+      store(watch.motion_square + column, max(square, load<V>(watch.motion_square + column)));
+      store(watch.square_sum + column, square + load<V>(watch.square_sum + column));
+      if constexpr (Sum::step == 8) {
+        const Lanes<4> velocity = __builtin_shufflevector(moved, moved, 0, 1, 2, 3);
+        double* position = particles.position[i];
+        store(position, fused(velocity, splat<Lanes<4>>(Case::time_step), load<Lanes<4>>(position)));
+        if constexpr (Particles<Case>::predicts)
+          store(particles.last_kick.row[i], __builtin_shufflevector(kick, kick, 0, 1, 2, 3));
+      } else if (column < 4) {
+        double* position = particles.position[i] + column;
+        store(position, fused(moved, splat<V>(Case::time_step), load<V>(position)));
+        if constexpr (Particles<Case>::predicts) store(particles.last_kick.row[i] + column, kick);
+      }
+      if constexpr (Case::has_gas && Case::energy_ledger) {
+        for (int c = column; c < column + Sum::step && c < 3; ++c)
+          watch.gas_work[c] = fused(particles.gas_kick.row[i][c], particles.motion[i][c], watch.gas_work[c]);
+      }
+    }
+  }
+  return entry;
+}
+
+template <class Case, int W, int k>
+void move_buckets_from(const RowNumber* entry, const int* bucket, int base, const double* rows,
+                       Particles<Case>& particles, Watch& watch) {
+  entry = move_bucket<Case, W, k>(entry, bucket[k], base, rows, particles, watch);
+  if constexpr (k < Contacts<Case>::max_slots)
+    move_buckets_from<Case, W, k + 1>(entry, bucket, base, rows, particles, watch);
+}
+
+}  // namespace detail
+
+/// Sums the rows of every particle of one chunk and moves it.
+template <class Case, int W>
+void move(const Contacts<Case>& contacts, Particles<Case>& particles, int chunk, Watch& watch) {
+  detail::move_buckets_from<Case, W, 0>(contacts.slots + contacts.first_slot[chunk], contacts.bucket[chunk],
+                                        chunk * Capacity<Case>::chunk_size, contacts.rows, particles, watch);
+}
+
+}  // namespace fixdem

@@ -1,0 +1,155 @@
+// Looking at a state: every contact with its forces, and the figures of a log line.
+//
+// Nothing here is called in a step. Contacts are recomputed from positions by the formulas of contact_law.hpp, one lane
+// wide, with a copy of the history that is not advanced: forces are those of the spring as it stands and the damping of the
+// present velocities. With the leapfrog all is seen at the held positions of the forces; particle() synchronises.
+#pragma once
+
+#include "step.hpp"
+
+namespace fixdem {
+
+inline constexpr int pipe_wall = -1, start_end = -2, far_end = -3;  ///< partners that are no particles
+
+/// One contact, seen from its owner.
+struct Contact {
+  int owner;                  ///< input number
+  int partner;                ///< input number, or pipe_wall, start_end, far_end
+  double overlap;             ///< m
+  double normal[3];           ///< unit vector, owner to partner
+  double normal_force;        ///< N, positive when repelling (-f_n of eq. 6)
+  double tangential_force[3]; ///< N, on the owner
+  double history[3];          ///< m, or N with the incremental forms
+};
+
+struct Observation {
+  double kinetic_translation, kinetic_rotation;  ///< J
+  int contacts, wall_contacts;
+  double coordination_number;  ///< (2 pair contacts + wall contacts) / particles
+  double max_overlap;          ///< m
+  double max_speed;            ///< m/s
+  double mean_axial_velocity;  ///< m/s
+  double mean_height;          ///< of the centres above the pipe's bottom, m
+};
+
+/// Works are since the start; joules.
+struct Energy {
+  double kinetic, elastic, dissipated_damping, dissipated_sliding, gravity_work, gas_work;
+};
+
+namespace detail {
+
+template <class Case>
+struct Observed {
+  Contact contact;
+  double elastic;  ///< J, normal and tangential
+};
+
+/// One contact from its geometry and relative motion.
+template <class Case, bool is_wall>
+Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec3<double>& n,
+                               const Motion<double>& motion, const double (*kept)[8], int lane) {
+  using Law = ContactLaw<Case, is_wall>;
+  constexpr double to_newton = 1 / Law::scale;
+  const Springs<double> k = springs<Law, Case>(overlap);
+  const Vec3<double> rolling = cross(motion.spin, n);
+  const Vec3<double> surface = {motion.velocity.x + rolling.x, motion.velocity.y + rolling.y,
+                                motion.velocity.z + rolling.z};
+  const double normal_velocity = dot(motion.velocity, n);
+  Observed<Case> seen{};
+  Contact& c = seen.contact;
+  c.owner = owner, c.partner = partner, c.overlap = overlap;
+  c.normal[0] = n.x, c.normal[1] = n.y, c.normal[2] = n.z;
+  c.normal_force = to_newton * fused(k.damping, normal_velocity, k.repulsion);
+  constexpr double share = Derived<Case>::is_hertz ? 0.4 : 0.5;  // 2/5 K overlap^(5/2), or K overlap^2 / 2
+  seen.elastic = to_newton * share * k.repulsion * overlap;
+  if constexpr (Derived<Case>::has_friction) {
+    constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
+    const Vec3<double> spring = {kept[0][lane], kept[1][lane], kept[2][lane]};
+    const double to_force = keeps_displacement ? k.tangential_stiffness : 1;
+    const Vec3<double> slip = add_scaled(surface, -normal_velocity, n);
+    double eta = k.damping;
+    if constexpr (Law::tangential_damping != Law::damping) eta *= Law::tangential_damping / Law::damping;
+    Vec3<double> force = add_scaled(scale(-eta, slip), -to_force, spring);
+    force = capped(force, dot(force, force), Case::friction / to_newton * abs(c.normal_force));
+    c.tangential_force[0] = to_newton * force.x;
+    c.tangential_force[1] = to_newton * force.y;
+    c.tangential_force[2] = to_newton * force.z;
+    const double unit = keeps_displacement ? 1 : to_newton;
+    c.history[0] = unit * spring.x, c.history[1] = unit * spring.y, c.history[2] = unit * spring.z;
+    const double square = dot(spring, spring);
+    seen.elastic += 0.5 * to_newton * (keeps_displacement ? k.tangential_stiffness * square
+                                                          : square / k.tangential_stiffness);
+  }
+  return seen;
+}
+
+template <class Case>
+Motion<double> motion_of(const Particles<Case>& p, int i) {
+  Motion<double> m{{p.motion[i][0], p.motion[i][1], p.motion[i][2]}, {}};
+  if constexpr (Derived<Case>::has_friction) m.spin = {p.motion[i][4], p.motion[i][5], p.motion[i][6]};
+  return m;
+}
+
+/// Visits every contact with overlap: f(Observed).
+template <class Case, class F>
+void for_each_observed(const State<Case>& s, F&& f) {
+  const Particles<Case>& p = s.particles;
+  const Contacts<Case>& contacts = s.contacts;
+  for_each_near_pair(contacts, [&](int batch, int lane, int i, int j) {
+    Vec3<double> r = {p.position[j][0] - p.position[i][0], p.position[j][1] - p.position[i][1],
+                      p.position[j][2] - p.position[i][2]};
+    if constexpr (Derived<Case>::is_periodic)
+      if (batch >= contacts.pairs.first[Capacity<Case>::chunks]) r.z -= Case::pipe_length;
+    const double distance = sqrt(dot(r, r));
+    const double overlap = Case::diameter - distance;
+    if (!(overlap > 0)) return;
+    const Motion<double> a = motion_of(p, i), b = motion_of(p, j);
+    const Motion<double> m = {{a.velocity.x - b.velocity.x, a.velocity.y - b.velocity.y, a.velocity.z - b.velocity.z},
+                              {a.spin.x + b.spin.x, a.spin.y + b.spin.y, a.spin.z + b.spin.z}};
+    const auto* kept = history_of<ContactLaw<Case, false>::history_size>(contacts.pairs, batch);
+    f(observe_contact<Case, false>(p.id[i], p.id[j], overlap, scale(1 / distance, r), m, kept, lane));
+  });
+  const auto see_walls = [&](const auto& walls, auto surface, auto name) {
+    for_each_near_wall<Case>(walls, [&](int batch, int lane, int i) {
+      Vec3<double> n;
+      const double overlap = surface(Vec3<double>{p.position[i][0], p.position[i][1], p.position[i][2]}, n);
+      if (!(overlap > 0)) return;
+      const auto* kept = history_of<ContactLaw<Case, true>::history_size>(walls, batch);
+      f(observe_contact<Case, true>(p.id[i], name(n), overlap, n, motion_of(p, i), kept, lane));
+    });
+  };
+  if constexpr (Case::has_wall)
+    see_walls(
+        contacts.pipe, [](const Vec3<double>& x, Vec3<double>& n) { return PipeSurface<Case>::overlap(x, n); },
+        [](const Vec3<double>&) { return pipe_wall; });
+  if constexpr (Derived<Case>::has_ends)
+    see_walls(
+        contacts.ends, [](const Vec3<double>& x, Vec3<double>& n) { return EndSurfaces<Case>::overlap(x, n); },
+        [](const Vec3<double>& n) { return n.z < 0 ? start_end : far_end; });
+}
+
+}  // namespace detail
+
+template <class Case>
+Observation observe(const State<Case>& s) {
+  using D = Derived<Case>;
+  Observation seen{};
+  for (int i = 0; i < Case::particle_count; ++i) {
+    const Motion<double> m = detail::motion_of(s.particles, i);
+    const double square = dot(m.velocity, m.velocity);
+    seen.kinetic_translation += 0.5 * D::mass * square;
+    seen.kinetic_rotation += 0.5 * 0.4 * D::mass * dot(m.spin, m.spin);
+    seen.max_speed = max(sqrt(square), seen.max_speed);
+    seen.mean_axial_velocity += m.velocity.z / Case::particle_count;
+    seen.mean_height += (s.particles.position[i][1] + D::pipe_radius) / Case::particle_count;
+  }
+  detail::for_each_observed(s, [&](const detail::Observed<Case>& o) {
+    ++(o.contact.partner >= 0 ? seen.contacts : seen.wall_contacts);
+    seen.max_overlap = max(o.contact.overlap, seen.max_overlap);
+  });
+  seen.coordination_number = (2.0 * seen.contacts + seen.wall_contacts) / Case::particle_count;
+  return seen;
+}
+
+}  // namespace fixdem

@@ -1,0 +1,147 @@
+// The pair loop: force rows of the contacts of one range of near pairs.
+//
+// Two stages over groups of batches, through a buffer in the first-level cache: geometry and roots, then velocities and
+// the law. One long chain of dependent operations per batch would leave the core idle; eight independent ones do not.
+// Rows are written for every near pair, zero where nothing touches.
+#pragma once
+
+#include "contacts.hpp"
+#include "watch.hpp"
+
+namespace fixdem {
+
+inline constexpr int batches_per_group = 8;
+
+/// What the first stage hands to the second, for one batch.
+struct ContactGeometry {
+  alignas(64) double normal[3][8];
+  alignas(64) double repulsion[8];
+  alignas(64) double damping[8];
+  alignas(64) double tangential_stiffness[8];
+};
+
+namespace detail {
+
+template <class Law, class Case, class V>
+void store_geometry(ContactGeometry& g, int lane, const Vec3<V>& n, V overlap) {
+  const Springs<V> k = springs<Law, Case>(overlap);
+  store(g.normal[0] + lane, n.x);
+  store(g.normal[1] + lane, n.y);
+  store(g.normal[2] + lane, n.z);
+  store(g.repulsion + lane, k.repulsion);
+  store(g.damping + lane, k.damping);
+  store(g.tangential_stiffness + lane, k.tangential_stiffness);
+}
+
+/// Second stage, common to pairs and walls: the law, the history and the force row. `motion`: velocity of the owner
+/// relative to its partner and sum of the spins; `kick`: the same difference of the last velocity change (leapfrog).
+template <class Law, class Case, int W, class HistoryValues>
+void contact_rows(const ContactGeometry& g, int lane, const Motion<Lanes<W>>& motion, const Vec3<Lanes<W>>& kick,
+                  HistoryValues* kept, double* row, Watch& watch) {
+  using V = Lanes<W>;
+  constexpr bool has_friction = Derived<Case>::has_friction;
+  const Vec3<V> n = {load<V>(g.normal[0] + lane), load<V>(g.normal[1] + lane), load<V>(g.normal[2] + lane)};
+  const Springs<V> k = {load<V>(g.repulsion + lane), load<V>(g.damping + lane), load<V>(g.tangential_stiffness + lane)};
+  const auto touching = k.tangential_stiffness > 0.0;
+
+  const V normal_velocity = dot(motion.velocity, n);
+  V damped_velocity = normal_velocity;
+  if constexpr (Case::integrator == Integrator::leapfrog) damped_velocity = fused(splat<V>(0.5), dot(kick, n), damped_velocity);
+
+  History<V> history{};
+  Vec3<V> surface_velocity = motion.velocity;
+  if constexpr (has_friction) {
+    const Vec3<V> rolling = cross(motion.spin, n);
+    surface_velocity = {motion.velocity.x + rolling.x, motion.velocity.y + rolling.y, motion.velocity.z + rolling.z};
+    history.spring = {load<V>(kept[0] + lane), load<V>(kept[1] + lane), load<V>(kept[2] + lane)};
+    if constexpr (Law::history_size == 4) history.last_tangential_stiffness = load<V>(kept[3] + lane);
+  }
+
+  const ContactForce<V> f =
+      contact_force<Law, Case>(k, n, surface_velocity, normal_velocity, damped_velocity, touching, history);
+
+  if constexpr (has_friction) {
+    store(kept[0] + lane, history.spring.x);
+    store(kept[1] + lane, history.spring.y);
+    store(kept[2] + lane, history.spring.z);
+    if constexpr (Law::history_size == 4) store(kept[3] + lane, history.last_tangential_stiffness);
+    store_rows<W>(row + 8 * lane, f.force, cross(n, f.force));  // eq. (14): r n x f, scaled by r in motion.hpp
+  } else {
+    store_rows<W>(row + 4 * lane, f.force);
+  }
+  if constexpr (Case::energy_ledger) {
+    store(watch.damping_power + lane, load<V>(watch.damping_power + lane) + f.damping_power);
+    store(watch.sliding_work + lane, load<V>(watch.sliding_work + lane) + f.sliding_work);
+  }
+}
+
+/// History block of a batch, or nothing where the case keeps none.
+template <int Size, class Batches>
+auto history_of(Batches& batches, int batch) {
+  if constexpr (Size > 0) {
+    return batches.history.value[batch];
+  } else {
+    return static_cast<double(*)[8]>(nullptr);
+  }
+}
+
+}  // namespace detail
+
+/// Overlap, normal and springs of one batch of pairs; eqs. (16), (21), (26). `shift`: added to z of partner minus owner
+/// (the period, for pairs across the ends). Lanes from `valid` on are copies and count as open.
+template <class Case, int W>
+void pair_geometry(const RowNumber* owner, const RowNumber* partner, const double* owner_rows, const double* partner_rows,
+                   double shift, int valid, ContactGeometry& g, Watch& watch) {
+  using V = Lanes<W>;
+  for (int lane = 0; lane < 8; lane += W) {
+    Vec3<V> r = load_differences<W>(partner_rows, partner + lane, owner_rows, owner + lane);
+    r.z = r.z + shift;
+    const V distance = sqrt(dot(r, r));
+    const V inverse = 1.0 / distance;
+    const V overlap = keep(lane_numbers<W>(lane) < static_cast<double>(valid), max(Case::diameter - distance, V{}));
+    detail::store_geometry<ContactLaw<Case, false>, Case>(g, lane, scale(inverse, r), overlap);
+    store(watch.overlap + lane, max(overlap, load<V>(watch.overlap + lane)));
+  }
+}
+
+/// Force rows of range `range` of the near pairs, written from row `row` on.
+template <class Case, int W>
+void pair_contacts(Contacts<Case>& contacts, const Particles<Case>& particles, int range, int row, Watch& watch) {
+  using C = Contacts<Case>;
+  using Law = ContactLaw<Case, false>;
+  PairBatches<Case>& pairs = contacts.pairs;
+  const bool wraps = range == Capacity<Case>::chunks;
+  const int owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
+  const int partner_base = wraps ? C::wrap_base : owner_base;
+  const double shift = wraps ? -Case::pipe_length : 0;  // the owner is at the start of the pipe, its partner at the end
+  const double *owner_position = particles.position[owner_base], *partner_position = particles.position[partner_base];
+  const double *owner_motion = particles.motion[owner_base], *partner_motion = particles.motion[partner_base];
+
+  const int first = pairs.first[range], last = pairs.first[range + 1];
+  ContactGeometry geometry[batches_per_group];
+  for (int group = first; group < last; group += batches_per_group) {
+    const int size = last - group < batches_per_group ? last - group : batches_per_group;
+    for (int b = 0; b < size; ++b)
+      pair_geometry<Case, W>(pairs.owner[group + b], pairs.partner[group + b], owner_position, partner_position, shift,
+                             pairs.count[range] - 8 * (group + b - first), geometry[b], watch);
+    for (int b = 0; b < size; ++b) {
+      const RowNumber *owner = pairs.owner[group + b], *partner = pairs.partner[group + b];
+      auto* history = detail::history_of<Law::history_size>(pairs, group + b);
+      double* rows = contacts.rows + (row + 8 * (group + b - first)) * C::row_width;
+      for (int lane = 0; lane < 8; lane += W) {
+        Motion<Lanes<W>> motion{};
+        if constexpr (Derived<Case>::has_friction)
+          motion = load_motion_of_pairs<W>(owner_motion, owner + lane, partner_motion, partner + lane);
+        else
+          motion.velocity = load_differences<W>(owner_motion, owner + lane, partner_motion, partner + lane);
+        Vec3<Lanes<W>> kick{};
+        if constexpr (Particles<Case>::predicts)
+          kick = load_differences<W>(particles.last_kick.row[owner_base], owner + lane,
+                                     particles.last_kick.row[partner_base], partner + lane);
+        detail::contact_rows<Law, Case, W>(geometry[b], lane, motion, kick, history, rows, watch);
+      }
+    }
+  }
+}
+
+}  // namespace fixdem

@@ -1,0 +1,46 @@
+// How a run can fail, and how it says so.
+//
+// Every check names the particle, the step and the value that broke a limit; nothing is ever written out of bounds.
+// The step stops at the first fault and stays stopped.
+#pragma once
+
+namespace fixdem {
+
+enum class Fault {
+  none,
+  neighbour_capacity,  ///< near pairs of one particle
+  pair_capacity,       ///< near pairs owned by one chunk, or across the periodic ends
+  chunk_capacity,      ///< particles within reach along the pipe
+  non_finite,          ///< a position or velocity that is no number
+  outside_pipe,        ///< distance from the axis, or place along a closed pipe, in m
+  overlap,             ///< overlap of a contact, in radii
+  too_fast,            ///< way of a particle in one step, in radii
+  gas_unsolved         ///< relative residual of the flow split of a slice
+};
+
+/// What the value of a fault is, for messages.
+constexpr const char* describe(Fault fault) {
+  switch (fault) {
+    case Fault::none: return "no fault";
+    case Fault::neighbour_capacity: return "near neighbours of one particle";
+    case Fault::pair_capacity: return "near pairs in one chunk of the pipe";
+    case Fault::chunk_capacity: return "particles within reach along the pipe";
+    case Fault::non_finite: return "a value that is not finite";
+    case Fault::outside_pipe: return "distance from the axis or place along the pipe in m";
+    case Fault::overlap: return "overlap in radii";
+    case Fault::too_fast: return "distance travelled in one step in radii";
+    case Fault::gas_unsolved: return "relative residual of the gas flow in a slice";
+  }
+  return "unknown fault";
+}
+
+struct Status {
+  Fault fault = Fault::none;
+  long long step = 0;  ///< steps completed when the fault was found
+  int particle = -1;   ///< number in input order; -1 where it is no particle's
+  double value = 0;    ///< what describe(fault) says
+  double limit = 0;    ///< the greatest value allowed
+  constexpr bool ok() const { return fault == Fault::none; }
+};
+
+}  // namespace fixdem

@@ -1,0 +1,79 @@
+// The wall loops: the pipe's inner surface, and the flat ends of a closed pipe.
+//
+// The same two stages and the same law as for pairs, with the wall's coefficients (eqs. 17, 22) and a partner that
+// neither moves nor turns. Overlap with the pipe is q - (R - r), q the distance of the centre from the axis, normal
+// outwards; with an end it is r - z or z - (L - r). A particle has one contact of each kind at most.
+#pragma once
+
+#include "pair_contacts.hpp"
+
+namespace fixdem {
+
+/// Geometry of one batch of near walls; `Surface` gives overlap and outward normal from positions.
+template <class Case, int W, class Surface>
+void wall_geometry(const RowNumber* owner, const double* rows, int valid, ContactGeometry& g, Watch& watch) {
+  using V = Lanes<W>;
+  for (int lane = 0; lane < 8; lane += W) {
+    const Vec3<V> position = load_vectors<W>(rows, owner + lane);
+    Vec3<V> normal;
+    V overlap = Surface::overlap(position, normal);
+    overlap = keep(lane_numbers<W>(lane) < static_cast<double>(valid), max(overlap, V{}));
+    detail::store_geometry<ContactLaw<Case, true>, Case>(g, lane, normal, overlap);
+    store(watch.overlap + lane, max(overlap, load<V>(watch.overlap + lane)));
+  }
+}
+
+template <class Case>
+struct PipeSurface {
+  template <class V>
+  static V overlap(const Vec3<V>& position, Vec3<V>& normal) {
+    const V q = sqrt(fused(position.y, position.y, position.x * position.x));
+    const V inverse = 1.0 / max(q, splat<V>(1e-300));  // on the axis there is no normal, and no contact
+    normal = {position.x * inverse, position.y * inverse, V{}};
+    return q - (Derived<Case>::pipe_radius - Derived<Case>::radius);
+  }
+};
+
+template <class Case>
+struct EndSurfaces {
+  template <class V>
+  static V overlap(const Vec3<V>& position, Vec3<V>& normal) {
+    const auto at_start = position.z < 0.5 * Case::pipe_length;
+    normal = {V{}, V{}, select(at_start, splat<V>(-1.0), splat<V>(1.0))};
+    return select(at_start, Derived<Case>::radius - position.z,
+                  position.z - (Case::pipe_length - Derived<Case>::radius));
+  }
+};
+
+/// Force rows of the near walls of one kind in one chunk, written from row `row` on.
+template <class Case, int W, class Surface, class Walls>
+void wall_contacts(Walls& walls, const Particles<Case>& particles, double* all_rows, int chunk, int row, Watch& watch) {
+  using Law = ContactLaw<Case, true>;
+  constexpr int width = Particles<Case>::motion_width;
+  const int base = chunk * Capacity<Case>::chunk_size;
+  const int first = walls.first[chunk], last = walls.first[chunk + 1];
+  ContactGeometry geometry[batches_per_group];
+  for (int group = first; group < last; group += batches_per_group) {
+    const int size = last - group < batches_per_group ? last - group : batches_per_group;
+    for (int b = 0; b < size; ++b)
+      wall_geometry<Case, W, Surface>(walls.owner[group + b], particles.position[base],
+                                      walls.count[chunk] - 8 * (group + b - first), geometry[b], watch);
+    for (int b = 0; b < size; ++b) {
+      const RowNumber* owner = walls.owner[group + b];
+      auto* history = detail::history_of<Law::history_size>(walls, group + b);
+      double* rows = all_rows + (row + 8 * (group + b - first)) * width;
+      for (int lane = 0; lane < 8; lane += W) {
+        Motion<Lanes<W>> motion{};
+        if constexpr (Derived<Case>::has_friction)
+          motion = load_motion<W>(particles.motion[base], owner + lane);
+        else
+          motion.velocity = load_vectors<W>(particles.motion[base], owner + lane);
+        Vec3<Lanes<W>> kick{};
+        if constexpr (Particles<Case>::predicts) kick = load_vectors<W>(particles.last_kick.row[base], owner + lane);
+        detail::contact_rows<Law, Case, W>(geometry[b], lane, motion, kick, history, rows, watch);
+      }
+    }
+  }
+}
+
+}  // namespace fixdem
