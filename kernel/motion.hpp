@@ -32,6 +32,7 @@ const RowNumber* move_bucket(const RowNumber* entry, int particles_in_bucket, in
   constexpr int width = Particles<Case>::motion_width;
   using Sum = RowSum<width, W>;
   using V = typename Sum::V;
+  using Half = Lanes<(Sum::step > 1 ? Sum::step / 2 : 1)>;  // the translation in a register of 8
   alignas(64) static constexpr double gravity[8] = {Case::gravity[0] * Case::time_step,
                                                     Case::gravity[1] * Case::time_step,
                                                     Case::gravity[2] * Case::time_step};
@@ -51,9 +52,8 @@ const RowNumber* move_bucket(const RowNumber* entry, int particles_in_bucket, in
       if (column < 4) {
         if constexpr (Case::has_gas && Sum::step <= 4) kick = kick + load<V>(particles.gas_kick.row[i] + column);
       }
-      if constexpr (Case::has_gas && Sum::step == 8) {
-        kick = kick + __builtin_shufflevector(load<Lanes<4>>(particles.gas_kick.row[i]), Lanes<4>{}, 0, 1, 2, 3, 4, 5, 6, 7);
-      }
+      if constexpr (Case::has_gas && Sum::step == 8)
+        kick = kick + __builtin_shufflevector(load<Half>(particles.gas_kick.row[i]), Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
       double* motion = particles.motion[i] + column;
       const V moved = fused(load<V>(inertia + column), kick, load<V>(motion));
       store(motion, moved);
@@ -61,9 +61,9 @@ const RowNumber* move_bucket(const RowNumber* entry, int particles_in_bucket, in
       store(watch.motion_square + column, max(square, load<V>(watch.motion_square + column)));
       store(watch.square_sum + column, square + load<V>(watch.square_sum + column));
       if constexpr (Sum::step == 8) {
-        const Lanes<4> velocity = __builtin_shufflevector(moved, moved, 0, 1, 2, 3);
+        const Half velocity = __builtin_shufflevector(moved, moved, 0, 1, 2, 3);
         double* position = particles.position[i];
-        store(position, fused(velocity, splat<Lanes<4>>(Case::time_step), load<Lanes<4>>(position)));
+        store(position, fused(velocity, splat<Half>(Case::time_step), load<Half>(position)));
         if constexpr (Particles<Case>::predicts)
           store(particles.last_kick.row[i], __builtin_shufflevector(kick, kick, 0, 1, 2, 3));
       } else if (column < 4) {

@@ -65,9 +65,9 @@ void contact_rows(const ContactGeometry& g, int lane, const Motion<Lanes<W>>& mo
     store(kept[1] + lane, history.spring.y);
     store(kept[2] + lane, history.spring.z);
     if constexpr (Law::history_size == 4) store(kept[3] + lane, history.last_tangential_stiffness);
-    store_rows<W>(row + 8 * lane, f.force, cross(n, f.force));  // eq. (14): r n x f, scaled by r in motion.hpp
+    RowLanes<W>::store_rows(row + 8 * lane, f.force, cross(n, f.force));  // eq. (14): r n x f, scaled by r in motion.hpp
   } else {
-    store_rows<W>(row + 4 * lane, f.force);
+    RowLanes<W>::store_rows(row + 4 * lane, f.force);
   }
   if constexpr (Case::energy_ledger) {
     store(watch.damping_power + lane, load<V>(watch.damping_power + lane) + f.damping_power);

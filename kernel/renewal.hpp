@@ -139,7 +139,7 @@ Status list_contacts(Contacts<Case>& contacts, NearList<Case>& near, const Parti
   for (int i = 0; i < count; ++i) near.own_count[i] = near.incoming_count[i] = 0, contacts.near_count[i] = 0;
 
   const auto fault = [&](Fault kind, int i, double value, double limit) { return Status{kind, 0, p.id[i], value, limit}; };
-  if constexpr (near.copies < count && D::is_periodic) {  // a search that runs past the copies would miss pairs
+  if constexpr (NearList<Case>::copies < count && D::is_periodic) {  // a search that runs past the copies would miss pairs
     const int last = count + near.copies - 1;
     if (near.z[last] - near.z[count - 1] < cut_off)
       return fault(Fault::chunk_capacity, count - 1, near.copies + 1, Cap::chunk_size);
@@ -165,7 +165,8 @@ Status list_contacts(Contacts<Case>& contacts, NearList<Case>& near, const Parti
         for (int lane = 0; lane < W; ++lane) {
           if (!(squares[lane] < cut_off * cut_off)) continue;
           const int j_lane = j + lane, partner = j_lane < count ? j_lane : j_lane - count;
-          for (int particle : {i, partner})
+          const int both[2] = {i, partner};
+          for (int particle : both)
             if (++contacts.near_count[particle] > Cap::neighbours)
               return fault(Fault::neighbour_capacity, particle, contacts.near_count[particle], Cap::neighbours);
           if (j_lane - i > near.most_reach) near.most_reach = j_lane - i;
