@@ -59,7 +59,7 @@ struct ContactForce {
 
 /// Stiffness and damping from the overlap [m]; zero where there is none.
 template <class Law, class Case, class V>
-Springs<V> springs(V overlap) {
+FIXDEM_INLINE Springs<V> springs(V overlap) {
   if constexpr (Derived<Case>::is_hertz) {
     const V root = sqrt(overlap);
     return {Law::stiffness * overlap * root, Law::damping * sqrt(root), Law::tangential_stiffness * root};
@@ -72,7 +72,7 @@ Springs<V> springs(V overlap) {
 
 /// Turns the kept vector into the present tangent plane: projected, and rescaled to its old length.
 template <class V>
-Vec3<V> turn_to_tangent_plane(const Vec3<V>& kept, const Vec3<V>& n) {
+FIXDEM_INLINE Vec3<V> turn_to_tangent_plane(const Vec3<V>& kept, const Vec3<V>& n) {
   const V out_of_plane = dot(kept, n);
   Vec3<V> turned = add_scaled(kept, -out_of_plane, n);
   const V old_square = dot(kept, kept);
@@ -88,7 +88,7 @@ Vec3<V> turn_to_tangent_plane(const Vec3<V>& kept, const Vec3<V>& n) {
 
 /// Caps the vector at the given length where it is longer. `square` is its squared length.
 template <class V>
-Vec3<V> capped(const Vec3<V>& a, V square, V limit) {
+FIXDEM_INLINE Vec3<V> capped(const Vec3<V>& a, V square, V limit) {
   const auto longer = square > limit * limit;
   if (!any(longer)) return a;
   return select(longer, scale(limit / sqrt(square), a), a);
@@ -97,7 +97,7 @@ Vec3<V> capped(const Vec3<V>& a, V square, V limit) {
 /// Tangential force of eqs. (7)-(12) with history; see the head of this file.
 /// n: unit normal, slip: v_s [m/s], normal_force: scaled f_n, positive or negative. `touching` masks real contacts.
 template <class Law, class Case, class V, class Mask>
-Vec3<V> tangential_force(const Springs<V>& k, const Vec3<V>& n, const Vec3<V>& slip, V normal_force, Mask touching,
+FIXDEM_INLINE Vec3<V> tangential_force(const Springs<V>& k, const Vec3<V>& n, const Vec3<V>& slip, V normal_force, Mask touching,
                          History<V>& history, ContactForce<V>& ledger) {
   constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
   const V limit = Case::friction * abs(normal_force);
@@ -150,7 +150,7 @@ Vec3<V> tangential_force(const Springs<V>& k, const Vec3<V>& n, const Vec3<V>& s
 /// Scaled force on the owner. `surface_velocity`: v_r + (r w_i + r w_j) x n; `damped_velocity`: the normal velocity that
 /// the damping sees (v_r.n itself with `euler`, predicted half a step ahead with `leapfrog`).
 template <class Law, class Case, class V, class Mask>
-ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& n, const Vec3<V>& surface_velocity, V normal_velocity,
+FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& n, const Vec3<V>& surface_velocity, V normal_velocity,
                               V damped_velocity, Mask touching, History<V>& history) {
   ContactForce<V> result;
   const V normal_force = -fused(k.damping, damped_velocity, k.repulsion);

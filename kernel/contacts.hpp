@@ -38,6 +38,7 @@ struct PairBatches {
   [[no_unique_address]] detail::HistoryBatches<batches, history_size> history;
   int first[ranges + 1];  ///< first batch of each range
   int count[ranges];      ///< pairs in it; the last batch is filled up with copies that are masked out
+  bool sparse[ranges];    ///< so few of them touch that whole batches are likely to be open
 };
 
 /// Near walls of one kind; at most one contact of a kind per particle.

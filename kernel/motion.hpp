@@ -20,15 +20,29 @@ struct RowSum {
   static constexpr int parts = Width / step;
   using V = Lanes<step>;
   V part[parts];
-  void add(const double* row) {
+  FIXDEM_INLINE void add(const double* row) {
     for (int p = 0; p < parts; ++p) part[p] = part[p] + load<V>(row + p * step);
+  }
+};
+
+/// Per-step partial values that the motion loop keeps in registers.
+template <class Case, int W>
+struct MotionWatch {
+  static constexpr int width = Particles<Case>::motion_width, step = RowSum<width, W>::step;
+  Partials<step, width> motion_square, square_sum, gas_work;
+  FIXDEM_INLINE explicit MotionWatch(const Watch& watch)
+      : motion_square(watch.motion_square), square_sum(watch.square_sum), gas_work(watch.gas_work) {}
+  FIXDEM_INLINE void put_back(Watch& watch) const {
+    motion_square.put_back(watch.motion_square);
+    square_sum.put_back(watch.square_sum);
+    gas_work.put_back(watch.gas_work);
   }
 };
 
 /// Moves the `particles_in_bucket` particles of one bucket with k own and k incoming rows each.
 template <class Case, int W, int k>
-const RowNumber* move_bucket(const RowNumber* entry, int particles_in_bucket, int base, const double* rows,
-                             Particles<Case>& particles, Watch& watch) {
+FIXDEM_INLINE const RowNumber* move_bucket(const RowNumber* entry, int particles_in_bucket, int base, const double* rows,
+                             Particles<Case>& particles, MotionWatch<Case, W>& watch) {
   constexpr int width = Particles<Case>::motion_width;
   using Sum = RowSum<width, W>;
   using V = typename Sum::V;
@@ -48,18 +62,19 @@ const RowNumber* move_bucket(const RowNumber* entry, int particles_in_bucket, in
     }
     for (int p = 0; p < Sum::parts; ++p) {
       const int column = p * Sum::step;
-      V kick = fused(load<V>(incoming_sign + column), incoming.part[p], own.part[p]) + load<V>(gravity + column);
-      if (column < 4) {
-        if constexpr (Case::has_gas && Sum::step <= 4) kick = kick + load<V>(particles.gas_kick.row[i] + column);
-      }
+      V gas{};
       if constexpr (Case::has_gas && Sum::step == 8)
-        kick = kick + __builtin_shufflevector(load<Half>(particles.gas_kick.row[i]), Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
+        gas = __builtin_shufflevector(load<Half>(particles.gas_kick.row[i]), Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
+      else if constexpr (Case::has_gas)
+        if (column < 4) gas = load<V>(particles.gas_kick.row[i] + column);
+      const V contacts = fused(load<V>(incoming_sign + column), incoming.part[p], own.part[p]);
+      const V kick = contacts + load<V>(gravity + column) + gas;
       double* motion = particles.motion[i] + column;
       const V moved = fused(load<V>(inertia + column), kick, load<V>(motion));
       store(motion, moved);
       const V square = moved * moved;
-      store(watch.motion_square + column, max(square, load<V>(watch.motion_square + column)));
-      store(watch.square_sum + column, square + load<V>(watch.square_sum + column));
+      watch.motion_square.part[p] = max(square, watch.motion_square.part[p]);
+      watch.square_sum.part[p] = square + watch.square_sum.part[p];
       if constexpr (Sum::step == 8) {
         const Half velocity = __builtin_shufflevector(moved, moved, 0, 1, 2, 3);
         double* position = particles.position[i];
@@ -71,18 +86,16 @@ const RowNumber* move_bucket(const RowNumber* entry, int particles_in_bucket, in
         store(position, fused(moved, splat<V>(Case::time_step), load<V>(position)));
         if constexpr (Particles<Case>::predicts) store(particles.last_kick.row[i] + column, kick);
       }
-      if constexpr (Case::has_gas && Case::energy_ledger) {
-        for (int c = column; c < column + Sum::step && c < 3; ++c)
-          watch.gas_work[c] = fused(particles.gas_kick.row[i][c], particles.motion[i][c], watch.gas_work[c]);
-      }
+      if constexpr (Case::has_gas && Case::energy_ledger)
+        watch.gas_work.part[p] = fused(gas, moved, watch.gas_work.part[p]);
     }
   }
   return entry;
 }
 
 template <class Case, int W, int k>
-void move_buckets_from(const RowNumber* entry, const int* bucket, int base, const double* rows,
-                       Particles<Case>& particles, Watch& watch) {
+FIXDEM_INLINE void move_buckets_from(const RowNumber* entry, const int* bucket, int base, const double* rows,
+                       Particles<Case>& particles, MotionWatch<Case, W>& watch) {
   entry = move_bucket<Case, W, k>(entry, bucket[k], base, rows, particles, watch);
   if constexpr (k < Contacts<Case>::max_slots)
     move_buckets_from<Case, W, k + 1>(entry, bucket, base, rows, particles, watch);
@@ -92,9 +105,11 @@ void move_buckets_from(const RowNumber* entry, const int* bucket, int base, cons
 
 /// Sums the rows of every particle of one chunk and moves it.
 template <class Case, int W>
-void move(const Contacts<Case>& contacts, Particles<Case>& particles, int chunk, Watch& watch) {
+void move(const Contacts<Case>& contacts, Particles<Case>& particles, int chunk, Watch& totals) {
+  detail::MotionWatch<Case, W> watch(totals);
   detail::move_buckets_from<Case, W, 0>(contacts.slots + contacts.first_slot[chunk], contacts.bucket[chunk],
                                         chunk * Capacity<Case>::chunk_size, contacts.rows, particles, watch);
+  watch.put_back(totals);
 }
 
 }  // namespace fixdem

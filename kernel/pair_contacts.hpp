@@ -2,7 +2,8 @@
 //
 // Two stages over groups of batches, through a buffer in the first-level cache: geometry and roots, then velocities and
 // the law. One long chain of dependent operations per batch would leave the core idle; eight independent ones do not.
-// Rows are written for every near pair, zero where nothing touches.
+// Rows are written for every near pair, zero where nothing touches. In a sparse chunk (most listed pairs do not touch) a
+// batch without any overlap skips roots and law; in a bed that test would only cost, so the near list decides.
 #pragma once
 
 #include "contacts.hpp"
@@ -20,10 +21,23 @@ struct ContactGeometry {
   alignas(64) double tangential_stiffness[8];
 };
 
+/// Per-step partial values that the contact loops keep in registers.
+template <int W>
+struct ContactWatch {
+  Partials<W> overlap, damping_power, sliding_work;
+  FIXDEM_INLINE explicit ContactWatch(const Watch& watch)
+      : overlap(watch.overlap), damping_power(watch.damping_power), sliding_work(watch.sliding_work) {}
+  FIXDEM_INLINE void put_back(Watch& watch) const {
+    overlap.put_back(watch.overlap);
+    damping_power.put_back(watch.damping_power);
+    sliding_work.put_back(watch.sliding_work);
+  }
+};
+
 namespace detail {
 
 template <class Law, class Case, class V>
-void store_geometry(ContactGeometry& g, int lane, const Vec3<V>& n, V overlap) {
+FIXDEM_INLINE void store_geometry(ContactGeometry& g, int lane, const Vec3<V>& n, V overlap) {
   const Springs<V> k = springs<Law, Case>(overlap);
   store(g.normal[0] + lane, n.x);
   store(g.normal[1] + lane, n.y);
@@ -35,9 +49,9 @@ void store_geometry(ContactGeometry& g, int lane, const Vec3<V>& n, V overlap) {
 
 /// Second stage, common to pairs and walls: the law, the history and the force row. `motion`: velocity of the owner
 /// relative to its partner and sum of the spins; `kick`: the same difference of the last velocity change (leapfrog).
-template <class Law, class Case, int W, class HistoryValues>
-void contact_rows(const ContactGeometry& g, int lane, const Motion<Lanes<W>>& motion, const Vec3<Lanes<W>>& kick,
-                  HistoryValues* kept, double* row, Watch& watch) {
+template <class Law, class Case, int W>
+FIXDEM_INLINE void contact_rows(const ContactGeometry& g, int lane, const Motion<Lanes<W>>& motion,
+                                const Vec3<Lanes<W>>& kick, double (*kept)[8], double* row, ContactWatch<W>& watch) {
   using V = Lanes<W>;
   constexpr bool has_friction = Derived<Case>::has_friction;
   const Vec3<V> n = {load<V>(g.normal[0] + lane), load<V>(g.normal[1] + lane), load<V>(g.normal[2] + lane)};
@@ -46,7 +60,8 @@ void contact_rows(const ContactGeometry& g, int lane, const Motion<Lanes<W>>& mo
 
   const V normal_velocity = dot(motion.velocity, n);
   V damped_velocity = normal_velocity;
-  if constexpr (Case::integrator == Integrator::leapfrog) damped_velocity = fused(splat<V>(0.5), dot(kick, n), damped_velocity);
+  if constexpr (Case::integrator == Integrator::leapfrog)
+    damped_velocity = fused(splat<V>(0.5), dot(kick, n), damped_velocity);
 
   History<V> history{};
   Vec3<V> surface_velocity = motion.velocity;
@@ -65,19 +80,28 @@ void contact_rows(const ContactGeometry& g, int lane, const Motion<Lanes<W>>& mo
     store(kept[1] + lane, history.spring.y);
     store(kept[2] + lane, history.spring.z);
     if constexpr (Law::history_size == 4) store(kept[3] + lane, history.last_tangential_stiffness);
-    RowLanes<W>::store_rows(row + 8 * lane, f.force, cross(n, f.force));  // eq. (14): r n x f, scaled by r in motion.hpp
+    RowLanes<W>::store_rows(row + 8 * lane, f.force, cross(n, f.force));  // eq. (14); scaled by r in motion.hpp
   } else {
     RowLanes<W>::store_rows(row + 4 * lane, f.force);
   }
   if constexpr (Case::energy_ledger) {
-    store(watch.damping_power + lane, load<V>(watch.damping_power + lane) + f.damping_power);
-    store(watch.sliding_work + lane, load<V>(watch.sliding_work + lane) + f.sliding_work);
+    V &damping = watch.damping_power.part[lane / W], &sliding = watch.sliding_work.part[lane / W];
+    damping = damping + f.damping_power;
+    sliding = sliding + f.sliding_work;
   }
+}
+
+/// What a batch without contact leaves: no force, no history.
+template <int Size, int Width, int W>
+FIXDEM_INLINE void open_rows(double (*kept)[8], double* row) {
+  for (int k = 0; k < 8 * Width; k += W) store(row + k, Lanes<W>{});
+  for (int c = 0; c < Size; ++c)
+    for (int lane = 0; lane < 8; lane += W) store(kept[c] + lane, Lanes<W>{});
 }
 
 /// History block of a batch, or nothing where the case keeps none.
 template <int Size, class Batches>
-auto history_of(Batches& batches, int batch) {
+FIXDEM_INLINE auto history_of(Batches& batches, int batch) {
   if constexpr (Size > 0) {
     return batches.history.value[batch];
   } else {
@@ -87,47 +111,75 @@ auto history_of(Batches& batches, int batch) {
 
 }  // namespace detail
 
-/// Overlap, normal and springs of one batch of pairs; eqs. (16), (21), (26). `shift`: added to z of partner minus owner
-/// (the period, for pairs across the ends). Lanes from `valid` on are copies and count as open.
-template <class Case, int W>
-void pair_geometry(const RowNumber* owner, const RowNumber* partner, const double* owner_rows, const double* partner_rows,
-                   double shift, int valid, ContactGeometry& g, Watch& watch) {
-  using V = Lanes<W>;
-  for (int lane = 0; lane < 8; lane += W) {
-    Vec3<V> r = load_differences<W>(partner_rows, partner + lane, owner_rows, owner + lane);
-    r.z = r.z + shift;
-    const V distance = sqrt(dot(r, r));
-    const V inverse = 1.0 / distance;
-    const V overlap = keep(lane_numbers<W>(lane) < static_cast<double>(valid), max(Case::diameter - distance, V{}));
-    detail::store_geometry<ContactLaw<Case, false>, Case>(g, lane, scale(inverse, r), overlap);
-    store(watch.overlap + lane, max(overlap, load<V>(watch.overlap + lane)));
+/// Where the two sides of a range of pairs start, and the shift of the partner along z.
+template <class Case>
+struct PairRange {
+  int owner_base, partner_base;
+  double shift;
+  explicit PairRange(int range) {
+    const bool wraps = range == Capacity<Case>::chunks;  // the owner is at the start of the pipe, its partner at the end
+    owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
+    partner_base = wraps ? Contacts<Case>::wrap_base : owner_base;
+    shift = wraps ? -Case::pipe_length : 0;
   }
+};
+
+/// Overlap, normal and springs of one batch of pairs; eqs. (16), (21), (26). Lanes from `valid` on are copies and count as
+/// open. With `sparse`, returns false when nothing overlaps, and computes no roots then.
+template <class Case, int W, bool sparse>
+FIXDEM_INLINE bool pair_geometry(const RowNumber* owner, const RowNumber* partner, const double* owner_rows,
+                                 const double* partner_rows, double shift, int valid, ContactGeometry& g,
+                                 ContactWatch<W>& watch) {
+  using V = Lanes<W>;
+  Vec3<V> r[8 / W];
+  V square[8 / W];
+  bool touches = !sparse;
+  for (int p = 0; p < 8 / W; ++p) {
+    r[p] = load_differences<W>(partner_rows, partner + p * W, owner_rows, owner + p * W);
+    r[p].z = r[p].z + shift;
+    square[p] = dot(r[p], r[p]);
+    if constexpr (sparse) touches = touches | any(square[p] < Case::diameter * Case::diameter);
+  }
+  if (!touches) return false;
+  for (int p = 0; p < 8 / W; ++p) {
+    const V distance = sqrt(square[p]);
+    const V inverse = 1.0 / distance;
+    const V overlap = keep(lane_numbers<W>(p * W) < static_cast<double>(valid), max(Case::diameter - distance, V{}));
+    detail::store_geometry<ContactLaw<Case, false>, Case>(g, p * W, scale(inverse, r[p]), overlap);
+    watch.overlap.part[p] = max(overlap, watch.overlap.part[p]);
+  }
+  return true;
 }
 
 /// Force rows of range `range` of the near pairs, written from row `row` on.
-template <class Case, int W>
-void pair_contacts(Contacts<Case>& contacts, const Particles<Case>& particles, int range, int row, Watch& watch) {
-  using C = Contacts<Case>;
+template <class Case, int W, bool sparse>
+void pair_contacts(Contacts<Case>& contacts, const Particles<Case>& particles, int range, int row, Watch& totals) {
+  constexpr int width = Contacts<Case>::row_width;
   using Law = ContactLaw<Case, false>;
   PairBatches<Case>& pairs = contacts.pairs;
-  const bool wraps = range == Capacity<Case>::chunks;
-  const int owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
-  const int partner_base = wraps ? C::wrap_base : owner_base;
-  const double shift = wraps ? -Case::pipe_length : 0;  // the owner is at the start of the pipe, its partner at the end
-  const double *owner_position = particles.position[owner_base], *partner_position = particles.position[partner_base];
-  const double *owner_motion = particles.motion[owner_base], *partner_motion = particles.motion[partner_base];
+  const PairRange<Case> at(range);
+  const double *owner_position = particles.position[at.owner_base], *owner_motion = particles.motion[at.owner_base];
+  const double *partner_position = particles.position[at.partner_base],
+               *partner_motion = particles.motion[at.partner_base];
+  const int first = pairs.first[range], last = pairs.first[range + 1], count = pairs.count[range];
 
-  const int first = pairs.first[range], last = pairs.first[range + 1];
+  ContactWatch<W> watch(totals);
   ContactGeometry geometry[batches_per_group];
+  bool touches[batches_per_group];
   for (int group = first; group < last; group += batches_per_group) {
     const int size = last - group < batches_per_group ? last - group : batches_per_group;
     for (int b = 0; b < size; ++b)
-      pair_geometry<Case, W>(pairs.owner[group + b], pairs.partner[group + b], owner_position, partner_position, shift,
-                             pairs.count[range] - 8 * (group + b - first), geometry[b], watch);
+      touches[b] = pair_geometry<Case, W, sparse>(pairs.owner[group + b], pairs.partner[group + b], owner_position,
+                                                  partner_position, at.shift, count - 8 * (group + b - first),
+                                                  geometry[b], watch);
     for (int b = 0; b < size; ++b) {
       const RowNumber *owner = pairs.owner[group + b], *partner = pairs.partner[group + b];
-      auto* history = detail::history_of<Law::history_size>(pairs, group + b);
-      double* rows = contacts.rows + (row + 8 * (group + b - first)) * C::row_width;
+      double(*history)[8] = detail::history_of<Law::history_size>(pairs, group + b);
+      double* rows = contacts.rows + (row + 8 * (group + b - first)) * width;
+      if (sparse && !touches[b]) {
+        detail::open_rows<Law::history_size, width, W>(history, rows);
+        continue;
+      }
       for (int lane = 0; lane < 8; lane += W) {
         Motion<Lanes<W>> motion{};
         if constexpr (Derived<Case>::has_friction)
@@ -136,12 +188,13 @@ void pair_contacts(Contacts<Case>& contacts, const Particles<Case>& particles, i
           motion.velocity = load_differences<W>(owner_motion, owner + lane, partner_motion, partner + lane);
         Vec3<Lanes<W>> kick{};
         if constexpr (Particles<Case>::predicts)
-          kick = load_differences<W>(particles.last_kick.row[owner_base], owner + lane,
-                                     particles.last_kick.row[partner_base], partner + lane);
+          kick = load_differences<W>(particles.last_kick.row[at.owner_base], owner + lane,
+                                     particles.last_kick.row[at.partner_base], partner + lane);
         detail::contact_rows<Law, Case, W>(geometry[b], lane, motion, kick, history, rows, watch);
       }
     }
   }
+  watch.put_back(totals);
 }
 
 }  // namespace fixdem

@@ -13,6 +13,9 @@
 
 namespace fixdem {
 
+/// Share of touching pairs below which a chunk counts as sparse (pair_contacts.hpp).
+inline constexpr double sparse_below = 0.5;
+
 namespace detail {
 
 /// Fills the lanes behind the last contact of a range with copies of the last one, history zero; they are masked out.
@@ -154,6 +157,7 @@ Status list_contacts(Contacts<Case>& contacts, NearList<Case>& near, const Parti
     const int end = base + Cap::chunk_size < count ? base + Cap::chunk_size : count;
     int row = Contacts<Case>::first_row(chunk);
     contacts.pairs.count[chunk] = 0;
+    int touching = 0;
     for (int i = base; i < end; ++i) {
       for (int j = i + 1; near.z[j] - near.z[i] < cut_off; j += W) {
         const V dx = load_any<V>(near.x + j) - near.x[i], dy = load_any<V>(near.y + j) - near.y[i],
@@ -169,6 +173,7 @@ Status list_contacts(Contacts<Case>& contacts, NearList<Case>& near, const Parti
           for (int particle : both)
             if (++contacts.near_count[particle] > Cap::neighbours)
               return fault(Fault::neighbour_capacity, particle, contacts.near_count[particle], Cap::neighbours);
+          touching += squares[lane] < Case::diameter * Case::diameter;
           if (j_lane - i > near.most_reach) near.most_reach = j_lane - i;
           if (j_lane - i > Cap::chunk_size) return fault(Fault::chunk_capacity, i, j_lane - i, Cap::chunk_size);
           if (j_lane >= count) {
@@ -187,6 +192,7 @@ Status list_contacts(Contacts<Case>& contacts, NearList<Case>& near, const Parti
     detail::fill_last_batch<PairBatches<Case>::history_size>(contacts.pairs, contacts.pairs.first[chunk], pairs);
     contacts.pairs.first[chunk + 1] = contacts.pairs.first[chunk] + (pairs + 7) / 8;
     row += (pairs + 7) / 8 * 8;
+    contacts.pairs.sparse[chunk] = touching < sparse_below * pairs;
 
     if constexpr (Case::has_wall) {
       const double q = D::pipe_radius - D::radius - near.margin, q_square = q > 0 ? q * q : -1;
@@ -213,6 +219,7 @@ Status list_contacts(Contacts<Case>& contacts, NearList<Case>& near, const Parti
                        Contacts<Case>::wrap_first_row);
     detail::fill_last_batch<PairBatches<Case>::history_size>(contacts.pairs, contacts.pairs.first[range], wraps);
     contacts.pairs.first[range + 1] = contacts.pairs.first[range] + (wraps + 7) / 8;
+    contacts.pairs.sparse[range] = false;
     if (wraps > near.most_wrap_pairs) near.most_wrap_pairs = wraps;
   }
   for (int chunk = 0; chunk < Cap::chunks; ++chunk) entry = detail::list_slots(contacts, near, chunk, entry);

@@ -27,9 +27,9 @@ struct RowLanes;
 
 template <>
 struct RowLanes<1> {
-  static void store_row(double* row, const Vec3<double>& a) { row[0] = a.x, row[1] = a.y, row[2] = a.z, row[3] = 0; }
-  static void store_rows(double* rows, const Vec3<double>& a) { store_row(rows, a); }
-  static void store_rows(double* rows, const Vec3<double>& a, const Vec3<double>& b) {
+  static FIXDEM_INLINE void store_row(double* row, const Vec3<double>& a) { row[0] = a.x, row[1] = a.y, row[2] = a.z, row[3] = 0; }
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<double>& a) { store_row(rows, a); }
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<double>& a, const Vec3<double>& b) {
     store_row(rows, a);
     store_row(rows + 4, b);
   }
@@ -40,7 +40,7 @@ template <>
 struct RowLanes<4> {
   /// Four rows of 4 into three vectors; the pads are dropped.
   template <class Row>
-  static Vec3<Lanes4> vectors(Row&& row) {
+  static FIXDEM_INLINE Vec3<Lanes4> vectors(Row&& row) {
     const Lanes4 r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
     const Lanes4 low01 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);  // x0 x1 z0 z1
     const Lanes4 low23 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6);
@@ -49,7 +49,7 @@ struct RowLanes<4> {
     return {__builtin_shufflevector(low01, low23, 0, 1, 4, 5), __builtin_shufflevector(high01, high23, 0, 1, 4, 5),
             __builtin_shufflevector(low01, low23, 2, 3, 6, 7)};
   }
-  static void store_rows(double* rows, const Vec3<Lanes4>& a, int stride = 4) {
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<Lanes4>& a, int stride = 4) {
     const Lanes4 low = __builtin_shufflevector(a.x, a.y, 0, 4, 2, 6);   // x0 y0 x2 y2
     const Lanes4 high = __builtin_shufflevector(a.x, a.y, 1, 5, 3, 7);  // x1 y1 x3 y3
     const Lanes4 even = __builtin_shufflevector(a.z, Lanes4{}, 0, 4, 2, 6);
@@ -59,7 +59,7 @@ struct RowLanes<4> {
     store(rows + 2 * stride, __builtin_shufflevector(low, even, 2, 3, 6, 7));
     store(rows + 3 * stride, __builtin_shufflevector(high, odd, 2, 3, 6, 7));
   }
-  static void store_rows(double* rows, const Vec3<Lanes4>& a, const Vec3<Lanes4>& b) {
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<Lanes4>& a, const Vec3<Lanes4>& b) {
     store_rows(rows, a, 8);
     store_rows(rows + 4, b, 8);
   }
@@ -69,15 +69,15 @@ struct RowLanes<4> {
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 template <>
 struct RowLanes<8> {
-  static Lanes8 low_of_pairs(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
-  static Lanes8 high_of_pairs(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15); }
-  static Lanes8 even_blocks(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13); }
-  static Lanes8 odd_blocks(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15); }
-  static Lanes8 join(Lanes4 a, Lanes4 b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); }
+  static FIXDEM_INLINE Lanes8 low_of_pairs(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
+  static FIXDEM_INLINE Lanes8 high_of_pairs(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15); }
+  static FIXDEM_INLINE Lanes8 even_blocks(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13); }
+  static FIXDEM_INLINE Lanes8 odd_blocks(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15); }
+  static FIXDEM_INLINE Lanes8 join(Lanes4 a, Lanes4 b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); }
 
   /// Eight rows of 4 into three vectors; the pads are dropped.
   template <class Row>
-  static Vec3<Lanes8> vectors(Row&& row) {
+  static FIXDEM_INLINE Vec3<Lanes8> vectors(Row&& row) {
     const Lanes8 r02 = join(row(0), row(2)), r13 = join(row(1), row(3));
     const Lanes8 r46 = join(row(4), row(6)), r57 = join(row(5), row(7));
     const Lanes8 low_a = low_of_pairs(r02, r13), low_b = low_of_pairs(r46, r57);  // x0 x1 z0 z1 x2 x3 z2 z3
@@ -87,7 +87,7 @@ struct RowLanes<8> {
 
   /// Eight rows of 8 into six vectors; the pads (columns 3 and 7) are dropped.
   template <class Row>
-  static Motion<Lanes8> motions(Row&& row) {
+  static FIXDEM_INLINE Motion<Lanes8> motions(Row&& row) {
     const Lanes8 r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3), r4 = row(4), r5 = row(5), r6 = row(6), r7 = row(7);
     const Lanes8 low01 = low_of_pairs(r0, r1), low23 = low_of_pairs(r2, r3);
     const Lanes8 low45 = low_of_pairs(r4, r5), low67 = low_of_pairs(r6, r7);
@@ -99,7 +99,7 @@ struct RowLanes<8> {
             {odd_blocks(x_a, x_b), odd_blocks(y_a, y_b), odd_blocks(z_a, z_b)}};
   }
 
-  static void store_rows(double* rows, const Vec3<Lanes8>& a) {
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<Lanes8>& a) {
     const Lanes8 low = low_of_pairs(a.x, a.y), high = high_of_pairs(a.x, a.y);  // x0 y0 x2 y2 .. | x1 y1 x3 y3 ..
     const Lanes8 low_z = low_of_pairs(a.z, Lanes8{}), high_z = high_of_pairs(a.z, Lanes8{});
     const Lanes8 rows_04 = even_blocks(low, low_z), rows_26 = odd_blocks(low, low_z);
@@ -110,7 +110,7 @@ struct RowLanes<8> {
     store(rows + 24, odd_blocks(rows_26, rows_37));
   }
 
-  static void store_rows(double* rows, const Vec3<Lanes8>& a, const Vec3<Lanes8>& b) {
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<Lanes8>& a, const Vec3<Lanes8>& b) {
     const auto half = [](const Vec3<Lanes8>& v, Lanes8& r04, Lanes8& r26, Lanes8& r15, Lanes8& r37) {
       const Lanes8 low = low_of_pairs(v.x, v.y), low_z = low_of_pairs(v.z, Lanes8{});
       const Lanes8 high = high_of_pairs(v.x, v.y), high_z = high_of_pairs(v.z, Lanes8{});
@@ -134,7 +134,7 @@ struct RowLanes<8> {
 
 /// Vectors of the rows `number` of an array with rows of 4.
 template <int W>
-Vec3<Lanes<W>> load_vectors(const double* rows, const RowNumber* number) {
+FIXDEM_INLINE Vec3<Lanes<W>> load_vectors(const double* rows, const RowNumber* number) {
   if constexpr (W == 1) {
     const double* r = rows + 4 * number[0];
     return {r[0], r[1], r[2]};
@@ -145,7 +145,7 @@ Vec3<Lanes<W>> load_vectors(const double* rows, const RowNumber* number) {
 
 /// Vectors a - b of two sets of rows of 4.
 template <int W>
-Vec3<Lanes<W>> load_differences(const double* rows_a, const RowNumber* a, const double* rows_b, const RowNumber* b) {
+FIXDEM_INLINE Vec3<Lanes<W>> load_differences(const double* rows_a, const RowNumber* a, const double* rows_b, const RowNumber* b) {
   if constexpr (W == 1) {
     const double *p = rows_a + 4 * a[0], *q = rows_b + 4 * b[0];
     return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
@@ -157,7 +157,7 @@ Vec3<Lanes<W>> load_differences(const double* rows_a, const RowNumber* a, const 
 
 /// Motion of the rows `number` of an array with rows of 8.
 template <int W>
-Motion<Lanes<W>> load_motion(const double* rows, const RowNumber* number) {
+FIXDEM_INLINE Motion<Lanes<W>> load_motion(const double* rows, const RowNumber* number) {
   if constexpr (W == 8) {
     return RowLanes<W>::motions([&](int k) { return load<Lanes<W>>(rows + 8 * number[k]); });
   } else if constexpr (W == 4) {
@@ -171,7 +171,7 @@ Motion<Lanes<W>> load_motion(const double* rows, const RowNumber* number) {
 
 /// Velocity a - b and spin a + b of two sets of rows of 8: what the surface velocity of a contact is made of.
 template <int W>
-Motion<Lanes<W>> load_motion_of_pairs(const double* rows_a, const RowNumber* a, const double* rows_b,
+FIXDEM_INLINE Motion<Lanes<W>> load_motion_of_pairs(const double* rows_a, const RowNumber* a, const double* rows_b,
                                       const RowNumber* b) {
   using V = Lanes<W>;
   if constexpr (W == 8) {

@@ -82,11 +82,16 @@ void step(State<Case>& s) {
   }
 
   s.watch.begin_step();
-  if constexpr (Derived<Case>::is_periodic)
-    pair_contacts<Case, W>(s.contacts, s.particles, Cap::chunks, Contacts<Case>::wrap_first_row, s.watch);
+  const auto pairs = [&](int range, int row) {
+    if (s.contacts.pairs.sparse[range])
+      pair_contacts<Case, W, true>(s.contacts, s.particles, range, row, s.watch);
+    else
+      pair_contacts<Case, W, false>(s.contacts, s.particles, range, row, s.watch);
+  };
+  if constexpr (Derived<Case>::is_periodic) pairs(Cap::chunks, Contacts<Case>::wrap_first_row);
   for (int chunk = 0; chunk < Cap::chunks; ++chunk) {
     int row = Contacts<Case>::first_row(chunk);
-    pair_contacts<Case, W>(s.contacts, s.particles, chunk, row, s.watch);
+    pairs(chunk, row);
     row += 8 * (s.contacts.pairs.first[chunk + 1] - s.contacts.pairs.first[chunk]);
     if constexpr (Case::has_wall) {
       wall_contacts<Case, W, PipeSurface<Case>>(s.contacts.pipe, s.particles, s.contacts.rows, chunk, row, s.watch);

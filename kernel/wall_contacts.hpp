@@ -11,7 +11,8 @@ namespace fixdem {
 
 /// Geometry of one batch of near walls; `Surface` gives overlap and outward normal from positions.
 template <class Case, int W, class Surface>
-void wall_geometry(const RowNumber* owner, const double* rows, int valid, ContactGeometry& g, Watch& watch) {
+FIXDEM_INLINE void wall_geometry(const RowNumber* owner, const double* rows, int valid, ContactGeometry& g,
+                                 ContactWatch<W>& watch) {
   using V = Lanes<W>;
   for (int lane = 0; lane < 8; lane += W) {
     const Vec3<V> position = load_vectors<W>(rows, owner + lane);
@@ -19,14 +20,14 @@ void wall_geometry(const RowNumber* owner, const double* rows, int valid, Contac
     V overlap = Surface::overlap(position, normal);
     overlap = keep(lane_numbers<W>(lane) < static_cast<double>(valid), max(overlap, V{}));
     detail::store_geometry<ContactLaw<Case, true>, Case>(g, lane, normal, overlap);
-    store(watch.overlap + lane, max(overlap, load<V>(watch.overlap + lane)));
+    watch.overlap.part[lane / W] = max(overlap, watch.overlap.part[lane / W]);
   }
 }
 
 template <class Case>
 struct PipeSurface {
   template <class V>
-  static V overlap(const Vec3<V>& position, Vec3<V>& normal) {
+  static FIXDEM_INLINE V overlap(const Vec3<V>& position, Vec3<V>& normal) {
     const V q = sqrt(fused(position.y, position.y, position.x * position.x));
     const V inverse = 1.0 / max(q, splat<V>(1e-300));  // on the axis there is no normal, and no contact
     normal = {position.x * inverse, position.y * inverse, V{}};
@@ -37,7 +38,7 @@ struct PipeSurface {
 template <class Case>
 struct EndSurfaces {
   template <class V>
-  static V overlap(const Vec3<V>& position, Vec3<V>& normal) {
+  static FIXDEM_INLINE V overlap(const Vec3<V>& position, Vec3<V>& normal) {
     const auto at_start = position.z < 0.5 * Case::pipe_length;
     normal = {V{}, V{}, select(at_start, splat<V>(-1.0), splat<V>(1.0))};
     return select(at_start, Derived<Case>::radius - position.z,
@@ -47,11 +48,12 @@ struct EndSurfaces {
 
 /// Force rows of the near walls of one kind in one chunk, written from row `row` on.
 template <class Case, int W, class Surface, class Walls>
-void wall_contacts(Walls& walls, const Particles<Case>& particles, double* all_rows, int chunk, int row, Watch& watch) {
+void wall_contacts(Walls& walls, const Particles<Case>& particles, double* all_rows, int chunk, int row, Watch& totals) {
   using Law = ContactLaw<Case, true>;
   constexpr int width = Particles<Case>::motion_width;
   const int base = chunk * Capacity<Case>::chunk_size;
   const int first = walls.first[chunk], last = walls.first[chunk + 1];
+  ContactWatch<W> watch(totals);
   ContactGeometry geometry[batches_per_group];
   for (int group = first; group < last; group += batches_per_group) {
     const int size = last - group < batches_per_group ? last - group : batches_per_group;
@@ -60,7 +62,7 @@ void wall_contacts(Walls& walls, const Particles<Case>& particles, double* all_r
                                       walls.count[chunk] - 8 * (group + b - first), geometry[b], watch);
     for (int b = 0; b < size; ++b) {
       const RowNumber* owner = walls.owner[group + b];
-      auto* history = detail::history_of<Law::history_size>(walls, group + b);
+      double(*history)[8] = detail::history_of<Law::history_size>(walls, group + b);
       double* rows = all_rows + (row + 8 * (group + b - first)) * width;
       for (int lane = 0; lane < 8; lane += W) {
         Motion<Lanes<W>> motion{};
@@ -74,6 +76,7 @@ void wall_contacts(Walls& walls, const Particles<Case>& particles, double* all_r
       }
     }
   }
+  watch.put_back(totals);
 }
 
 }  // namespace fixdem

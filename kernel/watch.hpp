@@ -31,4 +31,17 @@ struct Watch {
   double speed_bound() const { return sqrt(motion_square[0] + motion_square[1] + motion_square[2]); }
 };
 
+/// Eight partial values of the watch in registers, for the length of a loop.
+template <int W, int Count = 8>
+struct Partials {
+  using V = Lanes<W>;
+  V part[Count / W];
+  FIXDEM_INLINE explicit Partials(const double* from) {
+    for (int p = 0; p < Count / W; ++p) part[p] = load<V>(from + p * W);
+  }
+  FIXDEM_INLINE void put_back(double* to) const {
+    for (int p = 0; p < Count / W; ++p) store(to + p * W, part[p]);
+  }
+};
+
 }  // namespace fixdem
