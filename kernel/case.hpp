@@ -13,7 +13,8 @@
 namespace fixdem {
 
 enum class NormalLaw { hertz, linear };
-/// What of the tangential spring is remembered: its displacement (eq. 7), its force, or its force rescaled on unloading.
+/// What of the tangential spring is remembered: its displacement (eq. 7), its force, or its force rescaled on
+/// unloading.
 enum class TangentialLaw { displacement, force, rescale };
 /// Coulomb slider: `clip` caps the spring, then the total; `paper` is eqs. (10)-(12) to the letter.
 enum class Slider { clip, paper };
@@ -111,8 +112,9 @@ struct Capacity {
   /// Particles in a chunk of the pipe: at least those whose centres can lie within 1.1 d along the axis, so that a
   /// contact joins a chunk with itself or the next one. Random close packing (0.64) of that slab, and 64 at least,
   /// because smaller chunks waste lanes. Overflow (a denser slab than random close packing): the run stops.
-  static constexpr int slab_particles = static_cast<int>(
-      1.1 * 0.70 * 1.5 * (Case::pipe_diameter / Case::diameter) * (Case::pipe_diameter / Case::diameter)) + 4;
+  static constexpr int slab_particles = static_cast<int>(1.1 * 0.70 * 1.5 * (Case::pipe_diameter / Case::diameter) *
+                                                         (Case::pipe_diameter / Case::diameter)) +
+                                        4;
   static constexpr int chunk_size = (slab_particles < 64 ? 64 : (slab_particles + 15) / 16 * 16);
   static constexpr int chunks = (Case::particle_count + chunk_size - 1) / chunk_size;
 

@@ -45,7 +45,7 @@ struct Springs {
 /// What a contact remembers.
 template <class V>
 struct History {
-  Vec3<V> spring;                ///< tangential displacement, or scaled spring force
+  Vec3<V> spring;                 ///< tangential displacement, or scaled spring force
   V last_tangential_stiffness{};  ///< `rescale` only
 };
 
@@ -70,99 +70,138 @@ FIXDEM_INLINE Springs<V> springs(V overlap) {
   }
 }
 
-/// Turns the kept vector into the present tangent plane: projected, and rescaled to its old length.
+/// The kept vector in the present tangent plane: projected, and brought back to its old length.
 template <class V>
 FIXDEM_INLINE Vec3<V> turn_to_tangent_plane(const Vec3<V>& kept, const Vec3<V>& n) {
-  const V out_of_plane = dot(kept, n);
-  Vec3<V> turned = add_scaled(kept, -out_of_plane, n);
-  const V old_square = dot(kept, kept);
-  // Below half a unit in the last place of the length there is nothing to restore: always so in a bed at rest.
-  const auto shortened = out_of_plane * out_of_plane > 0x1p-54 * old_square;
-  if (any(shortened)) {
-    const V new_square = dot(turned, turned);
-    const V factor = select(new_square > 0.0, sqrt(old_square / new_square), V{});
-    turned = select(shortened, scale(factor, turned), turned);
-  }
-  return turned;
+  const Vec3<V> projected = add_scaled(kept, -dot(kept, n), n);
+  const V old_square = dot(kept, kept), new_square = dot(projected, projected);
+  return scale(select(new_square > 0.0, sqrt(old_square / new_square), V{}), projected);
 }
 
 /// Caps the vector at the given length where it is longer. `square` is its squared length.
 template <class V>
 FIXDEM_INLINE Vec3<V> capped(const Vec3<V>& a, V square, V limit) {
-  const auto longer = square > limit * limit;
-  if (!any(longer)) return a;
-  return select(longer, scale(limit / sqrt(square), a), a);
+  return select(square > limit * limit, scale(limit / sqrt(square), a), a);
 }
 
-/// Tangential force of eqs. (7)-(12) with history; see the head of this file.
-/// n: unit normal, slip: v_s [m/s], normal_force: scaled f_n, positive or negative. `touching` masks real contacts.
-template <class Law, class Case, class V, class Mask>
-FIXDEM_INLINE Vec3<V> tangential_force(const Springs<V>& k, const Vec3<V>& n, const Vec3<V>& slip, V normal_force, Mask touching,
-                         History<V>& history, ContactForce<V>& ledger) {
-  constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
-  const V limit = Case::friction * abs(normal_force);
-  V eta = k.damping;  // eq. (31)
-  if constexpr (Law::tangential_damping != Law::damping) eta = (Law::tangential_damping / Law::damping) * k.damping;
+/// The numbers of a tangential spring at one step: `to_force` times history is the scaled spring force, `gain` times
+/// slip is the growth of the history, `ratio` its shrinking beforehand (`rescale`), `damping` eta_t.
+template <class V>
+struct TangentialSpring {
+  V to_force, gain, ratio, damping;
+};
 
-  // Spring: displacement times the present stiffness, or the kept force and its increment.
-  Vec3<V> kept = turn_to_tangent_plane(history.spring, n);
+template <class Law, class Case, class V, class Mask>
+FIXDEM_INLINE TangentialSpring<V> tangential_spring(const Springs<V>& k, Mask touching, History<V>& history) {
+  constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
+  TangentialSpring<V> s{k.tangential_stiffness, splat<V>(Case::time_step), splat<V>(1.0), k.damping};
+  if constexpr (!keeps_displacement) {
+    s.to_force = keep(touching, splat<V>(1.0));  // a contact that has opened still holds its last force
+    s.gain = Case::time_step * k.tangential_stiffness;
+  }
+  if constexpr (Law::tangential_damping != Law::damping)
+    s.damping = (Law::tangential_damping / Law::damping) * k.damping;
   if constexpr (Case::tangential == TangentialLaw::rescale) {
     const auto unloading = k.tangential_stiffness < history.last_tangential_stiffness;
-    const V ratio = k.tangential_stiffness / history.last_tangential_stiffness;
-    kept = select(unloading, scale(ratio, kept), kept);
+    s.ratio = select(unloading, k.tangential_stiffness / history.last_tangential_stiffness, s.ratio);
     history.last_tangential_stiffness = k.tangential_stiffness;
   }
-  const V gain = keeps_displacement ? splat<V>(Case::time_step) : Case::time_step * k.tangential_stiffness;
-  const Vec3<V> trial = add_scaled(kept, gain, slip);
-  const V to_force = keeps_displacement ? k.tangential_stiffness : splat<V>(1.0);
-
-  // Slider.
-  Vec3<V> spring = trial, force;
-  if constexpr (Case::slider == Slider::clip) {
-    const V spring_square = to_force * to_force * dot(trial, trial);
-    spring = capped(trial, spring_square, limit);
-    const Vec3<V> total = add_scaled(scale(-eta, slip), -to_force, spring);
-    force = capped(total, dot(total, total), limit);
-  } else {
-    force = add_scaled(scale(-eta, slip), -to_force, trial);
-    const V square = dot(force, force);
-    const auto sliding = square > limit * limit;
-    if (any(sliding)) {
-      const V slip_square = dot(slip, slip);
-      const Vec3<V> along_slip = scale(-limit / sqrt(slip_square), slip);
-      const Vec3<V> along_trial = scale(limit / sqrt(square), force);
-      force = select(sliding, select(slip_square > 0.0, along_slip, along_trial), force);
-      spring = select(sliding, scale(-1.0 / to_force, force), spring);
-    }
-  }
-  history.spring = {keep(touching, spring.x), keep(touching, spring.y), keep(touching, spring.z)};
-
-  if constexpr (Case::energy_ledger) {
-    const Vec3<V> viscous = add_scaled(force, to_force, spring);  // what is not the spring's
-    ledger.damping_power = ledger.damping_power - dot(viscous, slip);
-    const Vec3<V> slid = {trial.x - spring.x, trial.y - spring.y, trial.z - spring.z};
-    const V work = dot(spring, slid) * to_force;
-    ledger.sliding_work = keep(touching, keeps_displacement ? work : work / k.tangential_stiffness);
-  }
-  return force;
+  return s;
 }
 
-/// Scaled force on the owner. `surface_velocity`: v_r + (r w_i + r w_j) x n; `damped_velocity`: the normal velocity that
-/// the damping sees (v_r.n itself with `euler`, predicted half a step ahead with `leapfrog`).
-template <class Law, class Case, class V, class Mask>
-FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& n, const Vec3<V>& surface_velocity, V normal_velocity,
-                              V damped_velocity, Mask touching, History<V>& history) {
-  ContactForce<V> result;
-  const V normal_force = -fused(k.damping, damped_velocity, k.repulsion);
-  result.force = scale(normal_force, n);
-  if constexpr (Case::energy_ledger) result.damping_power = k.damping * damped_velocity * normal_velocity;
-  if constexpr (Derived<Case>::has_friction) {
-    const Vec3<V> slip = add_scaled(surface_velocity, -normal_velocity, n);
-    const Vec3<V> tangential =
-        tangential_force<Law, Case>(k, n, slip, normal_force, touching, history, result);
-    result.force = {result.force.x + tangential.x, result.force.y + tangential.y, result.force.z + tangential.z};
+/// Tangential force of eqs. (7)-(12) in full: kept vector turned, spring loaded by the slip, slider.
+template <class V>
+struct Tangential {
+  Vec3<V> force;   ///< scaled, on the owner
+  Vec3<V> spring;  ///< new history
+  V damping_power, sliding_work;
+};
+
+template <class Case, class V>
+FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const Vec3<V>& kept, const Vec3<V>& n,
+                                             const Vec3<V>& slip, V limit) {
+  Tangential<V> t{};
+  const Vec3<V> trial = add_scaled(scale(s.ratio, turn_to_tangent_plane(kept, n)), s.gain, slip);
+  if constexpr (Case::slider == Slider::clip) {
+    t.spring = capped(trial, s.to_force * s.to_force * dot(trial, trial), limit);
+    const Vec3<V> total = add_scaled(scale(-s.damping, slip), -s.to_force, t.spring);
+    t.force = capped(total, dot(total, total), limit);
+  } else {
+    const Vec3<V> total = add_scaled(scale(-s.damping, slip), -s.to_force, trial);
+    const V square = dot(total, total), slip_square = dot(slip, slip);
+    const auto sliding = square > limit * limit;
+    const Vec3<V> along_slip = scale(-limit / sqrt(slip_square), slip);
+    const Vec3<V> along_trial = scale(limit / sqrt(square), total);
+    t.force = select(sliding, select(slip_square > 0.0, along_slip, along_trial), total);
+    t.spring = select(sliding, scale(-1.0 / s.to_force, t.force), trial);
   }
-  return result;
+  if constexpr (Case::energy_ledger) {
+    const Vec3<V> viscous = add_scaled(t.force, s.to_force, t.spring);  // what is not the spring's
+    t.damping_power = -dot(viscous, slip);
+    const Vec3<V> slid = {trial.x - t.spring.x, trial.y - t.spring.y, trial.z - t.spring.z};
+    t.sliding_work = dot(t.spring, slid) * (s.to_force * Case::time_step / s.gain);  // force times displacement
+  }
+  return t;
+}
+
+/// Scaled force on the owner. `surface_velocity` u = v_r + (r w_i + r w_j) x n; `normal_velocity` v_r.n;
+/// `damped_velocity`: the normal velocity that the damping sees (the same with `euler`, predicted half a step ahead
+/// with `leapfrog`).
+///
+/// Where a contact sticks, the whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since u = (u.n) n + v_s
+/// and both dampings share eta. Most batches stick in all lanes and turn by less than counts; the others compute eqs.
+/// (7)-(12) in full for the lanes concerned. Turning counts when it shortens the vector by more than half a unit in the
+/// last place.
+template <class Law, class Case, class V, class Mask>
+FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& n, const Vec3<V>& surface_velocity,
+                                            V normal_velocity, V damped_velocity, Mask touching, History<V>& history) {
+  const Vec3<V>& u = surface_velocity;
+  const V normal_force = fused(k.damping, damped_velocity, k.repulsion);  // repulsive positive
+  if constexpr (!Derived<Case>::has_friction) {
+    return {scale(-normal_force, n), k.damping * damped_velocity * normal_velocity, V{}};
+  } else {
+    const TangentialSpring<V> s = tangential_spring<Law, Case>(k, touching, history);
+
+    // Sticking.
+    V along_normal = k.repulsion;  // what is left along n after eta u has taken its share
+    if constexpr (Law::tangential_damping != Law::damping || Case::integrator != Integrator::euler)
+      along_normal = fused_minus(s.damping, normal_velocity, normal_force);
+    const V out_of_plane = dot(history.spring, n);
+    Vec3<V> spring;
+    if constexpr (Case::tangential == TangentialLaw::displacement) {
+      spring = add_scaled(add_scaled(history.spring, s.gain, u), -fused(s.gain, normal_velocity, out_of_plane), n);
+    } else {
+      const Vec3<V> kept = scale(s.ratio, add_scaled(history.spring, -out_of_plane, n));
+      spring = add_scaled(add_scaled(kept, s.gain, u), -(s.gain * normal_velocity), n);
+    }
+    Vec3<V> force = add_scaled(add_scaled(scale(-along_normal, n), -s.damping, u), -s.to_force, spring);
+    V damping_power{}, sliding_work{};
+    if constexpr (Case::energy_ledger)
+      damping_power = fused(
+          s.damping, dot(u, u),
+          fused_minus(s.damping, normal_velocity * normal_velocity, k.damping * damped_velocity * normal_velocity));
+
+    // Sliding, or turning.
+    constexpr double mu_square = Case::friction * Case::friction;
+    const V normal_square = normal_force * normal_force, spring_square = dot(spring, spring);
+    const auto slides = (dot(force, force) > (1 + mu_square) * normal_square) |
+                        (s.to_force * s.to_force * spring_square > mu_square * normal_square);
+    const auto turns = out_of_plane * out_of_plane > 0x1p-54 * spring_square;
+    if (any((slides | turns) & touching)) {
+      const Vec3<V> slip = add_scaled(u, -normal_velocity, n);
+      const Tangential<V> t = tangential_force<Case>(s, history.spring, n, slip, Case::friction * abs(normal_force));
+      const auto in_full = slides | turns;
+      force = select(in_full, add_scaled(t.force, -normal_force, n), force);
+      spring = select(in_full, t.spring, spring);
+      if constexpr (Case::energy_ledger) {
+        damping_power =
+            select(in_full, fused(k.damping * damped_velocity, normal_velocity, t.damping_power), damping_power);
+        sliding_work = keep(touching, select(in_full, t.sliding_work, V{}));
+      }
+    }
+    history.spring = {keep(touching, spring.x), keep(touching, spring.y), keep(touching, spring.z)};
+    return {force, damping_power, sliding_work};
+  }
 }
 
 }  // namespace fixdem

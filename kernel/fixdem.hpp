@@ -5,8 +5,8 @@
 //   Status status = simulation.start();
 //   status = simulation.run(100000);
 //
-// A case is a struct of constants, generated from a case file by tools/casegen (kernel/case.hpp says what is in it). The
-// object is large (about 1.2 kB per particle) and belongs in static storage. No call allocates, throws or prints.
+// A case is a struct of constants, generated from a case file by tools/casegen (kernel/case.hpp says what is in it).
+// The object is large (about 1.2 kB per particle) and belongs in static storage. No call allocates, throws or prints.
 // Results are the same bytes for the same case, lane width and compiler notwithstanding.
 #pragma once
 
@@ -146,11 +146,11 @@ class Simulation {
   }
 
   // Gas at the last update; cases with gas only. Slices count from z = 0.
-  double pressure_gradient(int slice) const { return s_.gas.pressure_gradient[slice]; }       ///< Pa/m
-  double void_fraction(int slice) const { return s_.gas.void_fraction[slice]; }               ///< of the bed
-  double bed_area(int slice) const { return s_.gas.bed_area[slice]; }                         ///< m2
-  double gas_velocity_above(int slice) const { return s_.gas.velocity_above[slice]; }         ///< m/s
-  double gas_velocity_in_bed(int slice) const { return s_.gas.velocity_in_bed[slice]; }       ///< m/s
+  double pressure_gradient(int slice) const { return s_.gas.pressure_gradient[slice]; }  ///< Pa/m
+  double void_fraction(int slice) const { return s_.gas.void_fraction[slice]; }          ///< of the bed
+  double bed_area(int slice) const { return s_.gas.bed_area[slice]; }                    ///< m2
+  double gas_velocity_above(int slice) const { return s_.gas.velocity_above[slice]; }    ///< m/s
+  double gas_velocity_in_bed(int slice) const { return s_.gas.velocity_in_bed[slice]; }  ///< m/s
   /// Over the whole pipe, Pa.
   double pressure_drop() const {
     double drop = 0;
@@ -163,10 +163,14 @@ class Simulation {
     using Cap = Capacity<Case>;
     const NearList<Case>& near = s_.near_list;
     switch (k) {
-      case 0: return {"neighbours", Cap::neighbours, near.most_neighbours};
-      case 1: return {"chunk_pairs", Cap::chunk_pairs, near.most_chunk_pairs};
-      case 2: return {"wrap_pairs", D::is_periodic ? Cap::wrap_pairs : 0, near.most_wrap_pairs};
-      default: return {"chunk_size", Cap::chunk_size, near.most_reach};
+      case 0:
+        return {"neighbours", Cap::neighbours, near.most_neighbours};
+      case 1:
+        return {"chunk_pairs", Cap::chunk_pairs, near.most_chunk_pairs};
+      case 2:
+        return {"wrap_pairs", D::is_periodic ? Cap::wrap_pairs : 0, near.most_wrap_pairs};
+      default:
+        return {"chunk_size", Cap::chunk_size, near.most_reach};
     }
   }
   /// How often the near list was renewed.

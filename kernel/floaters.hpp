@@ -1,9 +1,9 @@
 // Which particles float: no other centre within 1.1 d, and not touching the lower half of the pipe wall.
 //
-// Only particles without a listed near pair are looked at: a listed pair was within d + margin when the list was made and
-// is within d + 2 margin < 1.1 d now. For the others the neighbours along z are compared, from the nearest on, until z
-// differs by more than the reach and what the list's promise allows the order to have changed. So the answer depends on
-// the present positions alone, never on when the list was renewed.
+// Only particles without a listed near pair are looked at: a listed pair was within d + margin when the list was made
+// and is within d + 2 margin < 1.1 d now. For the others the neighbours along z are compared, from the nearest on,
+// until z differs by more than the reach and what the list's promise allows the order to have changed. So the answer
+// depends on the present positions alone, never on when the list was renewed.
 #pragma once
 
 #include "gas_slices.hpp"
@@ -42,8 +42,8 @@ void find_floaters(GasSlices<Case>& gas, const Particles<Case>& p, const Contact
   for (int i = 0; i < Case::particle_count; ++i) {
     const double* x = p.position[i];
     const bool on_bottom = x[1] < 0 && sqrt(x[0] * x[0] + x[1] * x[1]) - contact_distance > 0;
-    gas.floats[p.id[i]] = contacts.near_count[i] == 0 && !on_bottom && !detail::has_company(p, i, 1) &&
-                          !detail::has_company(p, i, -1);
+    gas.floats[p.id[i]] =
+        contacts.near_count[i] == 0 && !on_bottom && !detail::has_company(p, i, 1) && !detail::has_company(p, i, -1);
   }
 }
 

@@ -1,14 +1,16 @@
 // The gas: one-dimensional flow through slices of the pipe, partly through the bed and partly above it.
 //
-// In each slice the pressure gradient G is the same in the bed (Ergun, eqs. 33-35) and above it (Blasius, eqs. 36, 37), and
-// the two streams add up to the given flow (38). With c = (1 - eps)/eps^3, w = U_d - V_s:
+// In each slice the pressure gradient G is the same in the bed (Ergun, eqs. 33-35) and above it (Blasius, eqs. 36, 37),
+// and the two streams add up to the given flow (38). With c = (1 - eps)/eps^3, w = U_d - V_s:
 //   bed    G = a w|w| + b w,  a = 1.75 c rho/d_g,  b = 150 c (1 - eps) nu rho/d_g^2
 //   above  G = c_b y^7,  U_a = y^4,  c_b = 0.3164 (nu/D_h)^(1/4) rho/(2 D_h)
-// so that A_a y^4 + A_d w(y) = |A U - A_d V_s| is one equation for y, increasing and convex: a fixed number of Newton steps
-// solves it with products and square roots alone; the residual is checked. Each bed particle then feels G dz A_d / N along
-// the axis (32). A particle that floats above the bed counts in no slice and feels the drag of a single sphere.
+// so that A_a y^4 + A_d w(y) = |A U - A_d V_s| is one equation for y, increasing and convex: a fixed number of Newton
+// steps solves it with products and square roots alone; the residual is checked. Each bed particle then feels G dz A_d
+// / N along the axis (32). A particle that floats above the bed counts in no slice and feels the drag of a single
+// sphere.
 //
-// Forces are turned into the velocity change of one step and held until the next update. Slices are worked off W at a time.
+// Forces are turned into the velocity change of one step and held until the next update. Slices are worked off W at a
+// time.
 #pragma once
 
 #include "contacts.hpp"
@@ -34,11 +36,11 @@ struct GasSlices {
   alignas(64) double height[padded];              ///< of the highest top of a bed particle above the pipe's bottom, m
   alignas(64) double bed_area[padded];            ///< A_d, m2; the whole section in a full slice, 0 in an empty one
   alignas(64) double void_fraction[padded];
-  alignas(64) double pressure_gradient[padded];   ///< G, Pa/m, positive pushing along +z
-  alignas(64) double velocity_in_bed[padded];     ///< U_d, m/s
-  alignas(64) double velocity_above[padded];      ///< U_a, m/s; U_d in a full slice
-  bool floats[Case::particle_count];              ///< by input number
-  int slice_of[Case::particle_count];             ///< by row; scratch of one update
+  alignas(64) double pressure_gradient[padded];  ///< G, Pa/m, positive pushing along +z
+  alignas(64) double velocity_in_bed[padded];    ///< U_d, m/s
+  alignas(64) double velocity_above[padded];     ///< U_a, m/s; U_d in a full slice
+  bool floats[Case::particle_count];             ///< by input number
+  int slice_of[Case::particle_count];            ///< by row; scratch of one update
 };
 template <class Case>
 struct GasSlices<Case, false> {};
@@ -141,8 +143,9 @@ void drag_on_floater(double gas_velocity, const double* velocity, double* kick) 
   const double reynolds = speed * Case::diameter / Case::gas_viscosity;
   const double area = D::pi * Case::diameter * Case::diameter / 8 * Case::gas_density;
   // C_d |u| without 0/0 at rest: 24 nu/d (1 + ...).
-  const double drag = reynolds < 1000 ? 24 * Case::gas_viscosity / Case::diameter * (1 + 0.15 * power<687, 1000>(reynolds))
-                                      : 0.44 * speed;
+  const double drag = reynolds < 1000
+                          ? 24 * Case::gas_viscosity / Case::diameter * (1 + 0.15 * power<687, 1000>(reynolds))
+                          : 0.44 * speed;
   for (int k = 0; k < 3; ++k) kick[k] = area * drag * u[k] * (Case::time_step / D::mass);
 }
 
@@ -154,7 +157,8 @@ int slice_at(double z) {
   constexpr double per_length = 1 / Derived<Case>::slice_length;
   int slice = static_cast<int>(z * per_length + Case::slice_count) - Case::slice_count;  // rounds down from -count on
   if (slice < 0) slice = Derived<Case>::is_periodic ? slice + Case::slice_count : 0;
-  if (slice >= Case::slice_count) slice = Derived<Case>::is_periodic ? slice - Case::slice_count : Case::slice_count - 1;
+  if (slice >= Case::slice_count)
+    slice = Derived<Case>::is_periodic ? slice - Case::slice_count : Case::slice_count - 1;
   return slice;
 }
 

@@ -1,8 +1,9 @@
 // Contact histories by particle number, while contacts are renumbered.
 //
 // Renewing the near list moves contacts to other batches and can exchange owner and partner. Before, every history that
-// is not zero is put here under the input number of its owner; after, each new pair asks for its own. Seen from the other
-// side the tangential displacement changes sign: slip and normal both do. Capacity is that of the batches themselves.
+// is not zero is put here under the input number of its owner; after, each new pair asks for its own. Seen from the
+// other side the tangential displacement changes sign: slip and normal both do. Capacity is that of the batches
+// themselves.
 #pragma once
 
 #include "contacts.hpp"
@@ -74,7 +75,8 @@ void for_each_near_pair(const Contacts<Case>& contacts, F&& f) {
     const int partner_base = wraps ? Contacts<Case>::wrap_base : owner_base;
     for (int k = 0; k < contacts.pairs.count[range]; ++k) {
       const int batch = contacts.pairs.first[range] + k / 8, lane = k % 8;
-      f(batch, lane, owner_base + contacts.pairs.owner[batch][lane], partner_base + contacts.pairs.partner[batch][lane]);
+      f(batch, lane, owner_base + row_number(contacts.pairs.owner[batch][lane]),
+        partner_base + row_number(contacts.pairs.partner[batch][lane]));
     }
   }
 }
@@ -85,7 +87,7 @@ void for_each_near_wall(const Walls& walls, F&& f) {
   for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
     for (int k = 0; k < walls.count[chunk]; ++k) {
       const int batch = walls.first[chunk] + k / 8, lane = k % 8;
-      f(batch, lane, chunk * Capacity<Case>::chunk_size + walls.owner[batch][lane]);
+      f(batch, lane, chunk * Capacity<Case>::chunk_size + row_number(walls.owner[batch][lane]));
     }
 }
 

@@ -137,6 +137,13 @@ FIXDEM_INLINE Vec3<V> cross(const Vec3<V>& a, const Vec3<V>& b) {
   return {fused(a.y, b.z, -(a.z * b.y)), fused(a.z, b.x, -(a.x * b.z)), fused(a.x, b.y, -(a.y * b.x))};
 }
 
+/// a + b x c
+template <class V>
+FIXDEM_INLINE Vec3<V> add_cross(const Vec3<V>& a, const Vec3<V>& b, const Vec3<V>& c) {
+  return {fused_minus(b.z, c.y, fused(b.y, c.z, a.x)), fused_minus(b.x, c.z, fused(b.z, c.x, a.y)),
+          fused_minus(b.y, c.x, fused(b.x, c.y, a.z))};
+}
+
 template <class Mask, class V>
 FIXDEM_INLINE Vec3<V> select(Mask mask, const Vec3<V>& a, const Vec3<V>& b) {
   return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};

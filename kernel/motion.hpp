@@ -41,24 +41,24 @@ struct MotionWatch {
 
 /// Moves the `particles_in_bucket` particles of one bucket with k own and k incoming rows each.
 template <class Case, int W, int k>
-FIXDEM_INLINE const RowNumber* move_bucket(const RowNumber* entry, int particles_in_bucket, int base, const double* rows,
-                             Particles<Case>& particles, MotionWatch<Case, W>& watch) {
+FIXDEM_INLINE const RowOffset* move_bucket(const RowOffset* entry, int particles_in_bucket, int base,
+                                           const double* rows, Particles<Case>& particles,
+                                           MotionWatch<Case, W>& watch) {
   constexpr int width = Particles<Case>::motion_width;
   using Sum = RowSum<width, W>;
   using V = typename Sum::V;
   using Half = Lanes<(Sum::step > 1 ? Sum::step / 2 : 1)>;  // the translation in a register of 8
-  alignas(64) static constexpr double gravity[8] = {Case::gravity[0] * Case::time_step,
-                                                    Case::gravity[1] * Case::time_step,
-                                                    Case::gravity[2] * Case::time_step};
+  alignas(64) static constexpr double gravity[8] = {
+      Case::gravity[0] * Case::time_step, Case::gravity[1] * Case::time_step, Case::gravity[2] * Case::time_step};
   alignas(64) static constexpr double incoming_sign[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
   alignas(64) static constexpr double inertia[8] = {1, 1, 1, 1, 2.5, 2.5, 2.5, 2.5};  // r^2 m / I
 
   for (int q = 0; q < particles_in_bucket; ++q, entry += 2 * k + 1) {
-    const int i = base + entry[0];
+    const int i = base + row_number(entry[0]);
     Sum own{}, incoming{};
     for (int s = 0; s < k; ++s) {
-      own.add(rows + entry[1 + s] * width);
-      incoming.add(rows + entry[1 + k + s] * width);
+      own.add(row_at<width>(rows, entry[1 + s]));
+      incoming.add(row_at<width>(rows, entry[1 + k + s]));
     }
     for (int p = 0; p < Sum::parts; ++p) {
       const int column = p * Sum::step;
@@ -94,8 +94,8 @@ FIXDEM_INLINE const RowNumber* move_bucket(const RowNumber* entry, int particles
 }
 
 template <class Case, int W, int k>
-FIXDEM_INLINE void move_buckets_from(const RowNumber* entry, const int* bucket, int base, const double* rows,
-                       Particles<Case>& particles, MotionWatch<Case, W>& watch) {
+FIXDEM_INLINE void move_buckets_from(const RowOffset* entry, const int* bucket, int base, const double* rows,
+                                     Particles<Case>& particles, MotionWatch<Case, W>& watch) {
   entry = move_bucket<Case, W, k>(entry, bucket[k], base, rows, particles, watch);
   if constexpr (k < Contacts<Case>::max_slots)
     move_buckets_from<Case, W, k + 1>(entry, bucket, base, rows, particles, watch);

@@ -2,8 +2,8 @@
 //
 // A promise in time. Pairs closer than d + margin and particles closer than margin to a wall are listed; nothing else
 // can touch until some particle's speed bound has used up half the margin. The margin is what the present speed would
-// use up in `horizon_steps`, within bounds, so a bed at rest keeps a list of almost exactly its contacts. Being an upper
-// bound, the list causes no error: what it omits does not touch.
+// use up in `horizon_steps`, within bounds, so a bed at rest keeps a list of almost exactly its contacts. Being an
+// upper bound, the list causes no error: what it omits does not touch.
 //
 // Renewal (renewal.hpp) sorts the particles along the pipe, so the candidates of a particle are the next ones in memory
 // until z differs by the cut-off.
@@ -31,8 +31,8 @@ struct NearList {
   long long renewals;
 
   alignas(64) double x[count + copies + 16], y[count + copies + 16], z[count + copies + 16];
-  RowNumber own_row[count][Contacts<Case>::max_slots];
-  RowNumber incoming_row[count][Cap::neighbours];
+  RowOffset own_row[count][Contacts<Case>::max_slots];
+  RowOffset incoming_row[count][Cap::neighbours];
   unsigned char own_count[count], incoming_count[count];
   int wrap_owner[Cap::wrap_pairs], wrap_partner[Cap::wrap_pairs];
 

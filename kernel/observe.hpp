@@ -1,8 +1,8 @@
 // Looking at a state: every contact with its forces, and the figures of a log line.
 //
 // Nothing here is called in a step. Contacts are recomputed from positions by the formulas of contact_law.hpp, one lane
-// wide, with a copy of the history that is not advanced: forces are those of the spring as it stands and the damping of the
-// present velocities. With the leapfrog all is seen at the held positions of the forces; particle() synchronises.
+// wide, with a copy of the history that is not advanced: forces are those of the spring as it stands and the damping of
+// the present velocities. With the leapfrog all is seen at the held positions of the forces; particle() synchronises.
 #pragma once
 
 #include "step.hpp"
@@ -13,13 +13,13 @@ inline constexpr int pipe_wall = -1, start_end = -2, far_end = -3;  ///< partner
 
 /// One contact, seen from its owner.
 struct Contact {
-  int owner;                  ///< input number
-  int partner;                ///< input number, or pipe_wall, start_end, far_end
-  double overlap;             ///< m
-  double normal[3];           ///< unit vector, owner to partner
-  double normal_force;        ///< N, positive when repelling (-f_n of eq. 6)
-  double tangential_force[3]; ///< N, on the owner
-  double history[3];          ///< m, or N with the incremental forms
+  int owner;                   ///< input number
+  int partner;                 ///< input number, or pipe_wall, start_end, far_end
+  double overlap;              ///< m
+  double normal[3];            ///< unit vector, owner to partner
+  double normal_force;         ///< N, positive when repelling (-f_n of eq. 6)
+  double tangential_force[3];  ///< N, on the owner
+  double history[3];           ///< m, or N with the incremental forms
 };
 
 struct Observation {
@@ -52,9 +52,7 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
   using Law = ContactLaw<Case, is_wall>;
   constexpr double to_newton = 1 / Law::scale;
   const Springs<double> k = springs<Law, Case>(overlap);
-  const Vec3<double> rolling = cross(motion.spin, n);
-  const Vec3<double> surface = {motion.velocity.x + rolling.x, motion.velocity.y + rolling.y,
-                                motion.velocity.z + rolling.z};
+  const Vec3<double> surface = add_cross(motion.velocity, motion.spin, n);
   const double normal_velocity = dot(motion.velocity, n);
   Observed<Case> seen{};
   Contact& c = seen.contact;
@@ -78,8 +76,8 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
     const double unit = keeps_displacement ? 1 : to_newton;
     c.history[0] = unit * spring.x, c.history[1] = unit * spring.y, c.history[2] = unit * spring.z;
     const double square = dot(spring, spring);
-    seen.elastic += 0.5 * to_newton * (keeps_displacement ? k.tangential_stiffness * square
-                                                          : square / k.tangential_stiffness);
+    seen.elastic +=
+        0.5 * to_newton * (keeps_displacement ? k.tangential_stiffness * square : square / k.tangential_stiffness);
   }
   return seen;
 }

@@ -2,8 +2,8 @@
 //
 // Two stages over groups of batches, through a buffer in the first-level cache: geometry and roots, then velocities and
 // the law. One long chain of dependent operations per batch would leave the core idle; eight independent ones do not.
-// Rows are written for every near pair, zero where nothing touches. In a sparse chunk (most listed pairs do not touch) a
-// batch without any overlap skips roots and law; in a bed that test would only cost, so the near list decides.
+// Rows are written for every near pair, zero where nothing touches. In a sparse chunk (most listed pairs do not touch)
+// a batch without any overlap skips roots and law; in a bed that test would only cost, so the near list decides.
 #pragma once
 
 #include "contacts.hpp"
@@ -66,8 +66,7 @@ FIXDEM_INLINE void contact_rows(const ContactGeometry& g, int lane, const Motion
   History<V> history{};
   Vec3<V> surface_velocity = motion.velocity;
   if constexpr (has_friction) {
-    const Vec3<V> rolling = cross(motion.spin, n);
-    surface_velocity = {motion.velocity.x + rolling.x, motion.velocity.y + rolling.y, motion.velocity.z + rolling.z};
+    surface_velocity = add_cross(motion.velocity, motion.spin, n);
     history.spring = {load<V>(kept[0] + lane), load<V>(kept[1] + lane), load<V>(kept[2] + lane)};
     if constexpr (Law::history_size == 4) history.last_tangential_stiffness = load<V>(kept[3] + lane);
   }
@@ -117,17 +116,18 @@ struct PairRange {
   int owner_base, partner_base;
   double shift;
   explicit PairRange(int range) {
-    const bool wraps = range == Capacity<Case>::chunks;  // the owner is at the start of the pipe, its partner at the end
+    const bool wraps =
+        range == Capacity<Case>::chunks;  // the owner is at the start of the pipe, its partner at the end
     owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
     partner_base = wraps ? Contacts<Case>::wrap_base : owner_base;
     shift = wraps ? -Case::pipe_length : 0;
   }
 };
 
-/// Overlap, normal and springs of one batch of pairs; eqs. (16), (21), (26). Lanes from `valid` on are copies and count as
-/// open. With `sparse`, returns false when nothing overlaps, and computes no roots then.
+/// Overlap, normal and springs of one batch of pairs; eqs. (16), (21), (26). Lanes from `valid` on are copies and count
+/// as open. With `sparse`, returns false when nothing overlaps, and computes no roots then.
 template <class Case, int W, bool sparse>
-FIXDEM_INLINE bool pair_geometry(const RowNumber* owner, const RowNumber* partner, const double* owner_rows,
+FIXDEM_INLINE bool pair_geometry(const RowOffset* owner, const RowOffset* partner, const double* owner_rows,
                                  const double* partner_rows, double shift, int valid, ContactGeometry& g,
                                  ContactWatch<W>& watch) {
   using V = Lanes<W>;
@@ -173,7 +173,7 @@ void pair_contacts(Contacts<Case>& contacts, const Particles<Case>& particles, i
                                                   partner_position, at.shift, count - 8 * (group + b - first),
                                                   geometry[b], watch);
     for (int b = 0; b < size; ++b) {
-      const RowNumber *owner = pairs.owner[group + b], *partner = pairs.partner[group + b];
+      const RowOffset *owner = pairs.owner[group + b], *partner = pairs.partner[group + b];
       double(*history)[8] = detail::history_of<Law::history_size>(pairs, group + b);
       double* rows = contacts.rows + (row + 8 * (group + b - first)) * width;
       if (sparse && !touches[b]) {

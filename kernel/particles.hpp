@@ -35,7 +35,7 @@ struct Particles {
 
   alignas(64) double position[count][4];
   alignas(64) double motion[count][motion_width];
-  [[no_unique_address]] detail::RowsOf4<count, predicts> last_kick;  ///< velocity change of the last step
+  [[no_unique_address]] detail::RowsOf4<count, predicts> last_kick;      ///< velocity change of the last step
   [[no_unique_address]] detail::RowsOf4<count, Case::has_gas> gas_kick;  ///< velocity change per step by the gas
   int id[count];
   int image[count];  ///< crossings of the periodic ends

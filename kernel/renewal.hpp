@@ -1,9 +1,9 @@
 // Renewal of the near list: sort, search, and fill the batches and slot lists of contacts.hpp.
 //
 // Particles lie sorted along z; the partners of particle i with higher numbers are found by comparing it with the
-// next ones, W at a time, until z differs by the cut-off d + margin. In a periodic pipe the first particles are repeated
-// behind the last, one period on; such pairs are owned by the lower number and go to a range of their own. Every
-// capacity is checked before it is used, and the first that does not suffice ends the run.
+// next ones, W at a time, until z differs by the cut-off d + margin. In a periodic pipe the first particles are
+// repeated behind the last, one period on; such pairs are owned by the lower number and go to a range of their own.
+// Every capacity is checked before it is used, and the first that does not suffice ends the run.
 #pragma once
 
 #include "kept_history.hpp"
@@ -39,18 +39,19 @@ void add_pair(Contacts<Case>& contacts, NearList<Case>& near, const Particles<Ca
   const int partner_base = wraps ? Contacts<Case>::wrap_base : owner_base;
   const int k = contacts.pairs.count[range]++;
   const int batch = contacts.pairs.first[range] + k / 8, lane = k % 8;
-  contacts.pairs.owner[batch][lane] = static_cast<RowNumber>(owner - owner_base);
-  contacts.pairs.partner[batch][lane] = static_cast<RowNumber>(partner - partner_base);
+  contacts.pairs.owner[batch][lane] = row_offset(owner - owner_base);
+  contacts.pairs.partner[batch][lane] = row_offset(partner - partner_base);
   if constexpr (PairBatches<Case>::history_size > 0)
     kept.restore(p.id[owner], p.id[partner], contacts.pairs.history.value[batch], lane);
-  near.own_row[owner][near.own_count[owner]++] = static_cast<RowNumber>(first_row + k);
-  near.incoming_row[partner][near.incoming_count[partner]++] = static_cast<RowNumber>(first_row + k);
+  near.own_row[owner][near.own_count[owner]++] = row_offset(first_row + k);
+  near.incoming_row[partner][near.incoming_count[partner]++] = row_offset(first_row + k);
 }
 
 /// Lists the particles of one chunk that are near a wall; `is_near(row)` decides. Returns the row after the last batch.
 template <class Case, class Walls, class IsNear>
-int list_walls(Walls& walls, NearList<Case>& near, const Particles<Case>& p, const double (*kept)[Walls::history_size > 0 ? Walls::history_size : 1],
-               int chunk, int first_row, IsNear&& is_near) {
+int list_walls(Walls& walls, NearList<Case>& near, const Particles<Case>& p,
+               const double (*kept)[Walls::history_size > 0 ? Walls::history_size : 1], int chunk, int first_row,
+               IsNear&& is_near) {
   constexpr int size = Walls::history_size;
   const int base = chunk * Capacity<Case>::chunk_size;
   const int end = base + Capacity<Case>::chunk_size < Case::particle_count ? base + Capacity<Case>::chunk_size
@@ -59,10 +60,10 @@ int list_walls(Walls& walls, NearList<Case>& near, const Particles<Case>& p, con
   for (int i = base; i < end; ++i) {
     if (!is_near(i)) continue;
     const int batch = walls.first[chunk] + k / 8, lane = k % 8;
-    walls.owner[batch][lane] = static_cast<RowNumber>(i - base);
+    walls.owner[batch][lane] = row_offset(i - base);
     if constexpr (size > 0)
       for (int c = 0; c < size; ++c) walls.history.value[batch][c][lane] = kept[p.id[i]][c];
-    near.own_row[i][near.own_count[i]++] = static_cast<RowNumber>(first_row + k);
+    near.own_row[i][near.own_count[i]++] = row_offset(first_row + k);
     ++k;
   }
   walls.count[chunk] = k;
@@ -91,13 +92,13 @@ int list_slots(Contacts<Case>& contacts, const NearList<Case>& near, int chunk, 
   }
   for (int i = base; i < end; ++i) {
     const int k = length(i);
-    RowNumber* slot = contacts.slots + next[k];
+    RowOffset* slot = contacts.slots + next[k];
     next[k] += 2 * k + 1;
-    *slot++ = static_cast<RowNumber>(i - base);
+    *slot++ = row_offset(i - base);
     for (int s = 0; s < k; ++s)
-      *slot++ = s < near.own_count[i] ? near.own_row[i][s] : static_cast<RowNumber>(Contacts<Case>::zero_row);
+      *slot++ = s < near.own_count[i] ? near.own_row[i][s] : row_offset(Contacts<Case>::zero_row);
     for (int s = 0; s < k; ++s)
-      *slot++ = s < near.incoming_count[i] ? near.incoming_row[i][s] : static_cast<RowNumber>(Contacts<Case>::zero_row);
+      *slot++ = s < near.incoming_count[i] ? near.incoming_row[i][s] : row_offset(Contacts<Case>::zero_row);
   }
   return entry;
 }
@@ -141,8 +142,11 @@ Status list_contacts(Contacts<Case>& contacts, NearList<Case>& near, const Parti
   for (int i = count + near.copies; i < count + near.copies + 16; ++i) near.x[i] = near.y[i] = 0, near.z[i] = 1e300;
   for (int i = 0; i < count; ++i) near.own_count[i] = near.incoming_count[i] = 0, contacts.near_count[i] = 0;
 
-  const auto fault = [&](Fault kind, int i, double value, double limit) { return Status{kind, 0, p.id[i], value, limit}; };
-  if constexpr (NearList<Case>::copies < count && D::is_periodic) {  // a search that runs past the copies would miss pairs
+  const auto fault = [&](Fault kind, int i, double value, double limit) {
+    return Status{kind, 0, p.id[i], value, limit};
+  };
+  if constexpr (NearList<Case>::copies < count &&
+                D::is_periodic) {  // a search that runs past the copies would miss pairs
     const int last = count + near.copies - 1;
     if (near.z[last] - near.z[count - 1] < cut_off)
       return fault(Fault::chunk_capacity, count - 1, near.copies + 1, Cap::chunk_size);

@@ -2,17 +2,32 @@
 //
 // What a contact needs of its two particles lies at random places. A particle's values are one padded row (4 doubles:
 // a vector and a pad; 8 doubles: velocity, pad, r times angular velocity, pad); W rows are loaded whole and transposed
-// in registers, which costs a third of as many gathers. Force rows go the other way. Row numbers are 16 bits, relative
-// to the first row of the chunk.
+// in registers, which costs a third of as many gathers. Force rows go the other way. Rows are named by 16-bit offsets
+// relative to the first row of the chunk, 8 times the row's number, so that no address needs a shift.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "lanes.hpp"
 
 namespace fixdem {
 
-using RowNumber = std::uint16_t;
+using RowOffset = std::uint16_t;
+
+/// Greatest number of rows that offsets can name.
+inline constexpr int nameable_rows = 8192;
+
+constexpr RowOffset row_offset(int number) { return static_cast<RowOffset>(8 * number); }
+constexpr int row_number(RowOffset offset) { return offset / 8; }
+
+/// The row of an array with rows of 4 or 8 doubles.
+template <int Width>
+FIXDEM_INLINE const double* row_at(const double* rows, RowOffset offset) {
+  static_assert(Width == 4 || Width == 8);
+  return reinterpret_cast<const double*>(reinterpret_cast<const char*>(rows) +
+                                         (Width == 8 ? 8 : 4) * std::size_t{offset});
+}
 
 /// Translation and rotation of W particles, or their difference and sum.
 template <class V>
@@ -27,7 +42,9 @@ struct RowLanes;
 
 template <>
 struct RowLanes<1> {
-  static FIXDEM_INLINE void store_row(double* row, const Vec3<double>& a) { row[0] = a.x, row[1] = a.y, row[2] = a.z, row[3] = 0; }
+  static FIXDEM_INLINE void store_row(double* row, const Vec3<double>& a) {
+    row[0] = a.x, row[1] = a.y, row[2] = a.z, row[3] = 0;
+  }
   static FIXDEM_INLINE void store_rows(double* rows, const Vec3<double>& a) { store_row(rows, a); }
   static FIXDEM_INLINE void store_rows(double* rows, const Vec3<double>& a, const Vec3<double>& b) {
     store_row(rows, a);
@@ -69,10 +86,18 @@ struct RowLanes<4> {
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 template <>
 struct RowLanes<8> {
-  static FIXDEM_INLINE Lanes8 low_of_pairs(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
-  static FIXDEM_INLINE Lanes8 high_of_pairs(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15); }
-  static FIXDEM_INLINE Lanes8 even_blocks(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13); }
-  static FIXDEM_INLINE Lanes8 odd_blocks(Lanes8 a, Lanes8 b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15); }
+  static FIXDEM_INLINE Lanes8 low_of_pairs(Lanes8 a, Lanes8 b) {
+    return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+  }
+  static FIXDEM_INLINE Lanes8 high_of_pairs(Lanes8 a, Lanes8 b) {
+    return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  static FIXDEM_INLINE Lanes8 even_blocks(Lanes8 a, Lanes8 b) {
+    return __builtin_shufflevector(a, b, 0, 1, 4, 5, 8, 9, 12, 13);
+  }
+  static FIXDEM_INLINE Lanes8 odd_blocks(Lanes8 a, Lanes8 b) {
+    return __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15);
+  }
   static FIXDEM_INLINE Lanes8 join(Lanes4 a, Lanes4 b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); }
 
   /// Eight rows of 4 into three vectors; the pads are dropped.
@@ -132,56 +157,60 @@ struct RowLanes<8> {
 };
 #endif
 
-/// Vectors of the rows `number` of an array with rows of 4.
+/// Vectors of the rows `offset` of an array with rows of 4.
 template <int W>
-FIXDEM_INLINE Vec3<Lanes<W>> load_vectors(const double* rows, const RowNumber* number) {
+FIXDEM_INLINE Vec3<Lanes<W>> load_vectors(const double* rows, const RowOffset* offset) {
   if constexpr (W == 1) {
-    const double* r = rows + 4 * number[0];
+    const double* r = row_at<4>(rows, offset[0]);
     return {r[0], r[1], r[2]};
   } else {
-    return RowLanes<W>::vectors([&](int k) { return load<Lanes<4>>(rows + 4 * number[k]); });
+    return RowLanes<W>::vectors([&](int k) { return load<Lanes<4>>(row_at<4>(rows, offset[k])); });
   }
 }
 
 /// Vectors a - b of two sets of rows of 4.
 template <int W>
-FIXDEM_INLINE Vec3<Lanes<W>> load_differences(const double* rows_a, const RowNumber* a, const double* rows_b, const RowNumber* b) {
+FIXDEM_INLINE Vec3<Lanes<W>> load_differences(const double* rows_a, const RowOffset* a, const double* rows_b,
+                                              const RowOffset* b) {
   if constexpr (W == 1) {
-    const double *p = rows_a + 4 * a[0], *q = rows_b + 4 * b[0];
+    const double *p = row_at<4>(rows_a, a[0]), *q = row_at<4>(rows_b, b[0]);
     return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
   } else {
     return RowLanes<W>::vectors(
-        [&](int k) { return load<Lanes<4>>(rows_a + 4 * a[k]) - load<Lanes<4>>(rows_b + 4 * b[k]); });
+        [&](int k) { return load<Lanes<4>>(row_at<4>(rows_a, a[k])) - load<Lanes<4>>(row_at<4>(rows_b, b[k])); });
   }
 }
 
-/// Motion of the rows `number` of an array with rows of 8.
+/// Motion of the rows `offset` of an array with rows of 8.
 template <int W>
-FIXDEM_INLINE Motion<Lanes<W>> load_motion(const double* rows, const RowNumber* number) {
+FIXDEM_INLINE Motion<Lanes<W>> load_motion(const double* rows, const RowOffset* offset) {
   if constexpr (W == 8) {
-    return RowLanes<W>::motions([&](int k) { return load<Lanes<W>>(rows + 8 * number[k]); });
+    return RowLanes<W>::motions([&](int k) { return load<Lanes<W>>(row_at<8>(rows, offset[k])); });
   } else if constexpr (W == 4) {
-    return {RowLanes<W>::vectors([&](int k) { return load<Lanes<W>>(rows + 8 * number[k]); }),
-            RowLanes<W>::vectors([&](int k) { return load<Lanes<W>>(rows + 8 * number[k] + 4); })};
+    return {RowLanes<W>::vectors([&](int k) { return load<Lanes<W>>(row_at<8>(rows, offset[k])); }),
+            RowLanes<W>::vectors([&](int k) { return load<Lanes<W>>(row_at<8>(rows, offset[k]) + 4); })};
   } else {
-    const double* r = rows + 8 * number[0];
+    const double* r = row_at<8>(rows, offset[0]);
     return {{r[0], r[1], r[2]}, {r[4], r[5], r[6]}};
   }
 }
 
 /// Velocity a - b and spin a + b of two sets of rows of 8: what the surface velocity of a contact is made of.
 template <int W>
-FIXDEM_INLINE Motion<Lanes<W>> load_motion_of_pairs(const double* rows_a, const RowNumber* a, const double* rows_b,
-                                      const RowNumber* b) {
+FIXDEM_INLINE Motion<Lanes<W>> load_motion_of_pairs(const double* rows_a, const RowOffset* a, const double* rows_b,
+                                                    const RowOffset* b) {
   using V = Lanes<W>;
   if constexpr (W == 8) {
     const V sign{-1, -1, -1, -1, 1, 1, 1, 1};
-    return RowLanes<W>::motions([&](int k) { return fused(sign, load<V>(rows_b + 8 * b[k]), load<V>(rows_a + 8 * a[k])); });
+    return RowLanes<W>::motions(
+        [&](int k) { return fused(sign, load<V>(row_at<8>(rows_b, b[k])), load<V>(row_at<8>(rows_a, a[k]))); });
   } else if constexpr (W == 4) {
-    return {RowLanes<W>::vectors([&](int k) { return load<V>(rows_a + 8 * a[k]) - load<V>(rows_b + 8 * b[k]); }),
-            RowLanes<W>::vectors([&](int k) { return load<V>(rows_a + 8 * a[k] + 4) + load<V>(rows_b + 8 * b[k] + 4); })};
+    return {RowLanes<W>::vectors(
+                [&](int k) { return load<V>(row_at<8>(rows_a, a[k])) - load<V>(row_at<8>(rows_b, b[k])); }),
+            RowLanes<W>::vectors(
+                [&](int k) { return load<V>(row_at<8>(rows_a, a[k]) + 4) + load<V>(row_at<8>(rows_b, b[k]) + 4); })};
   } else {
-    const double *p = rows_a + 8 * a[0], *q = rows_b + 8 * b[0];
+    const double *p = row_at<8>(rows_a, a[0]), *q = row_at<8>(rows_b, b[0]);
     return {{p[0] - q[0], p[1] - q[1], p[2] - q[2]}, {p[4] + q[4], p[5] + q[5], p[6] + q[6]}};
   }
 }

@@ -21,15 +21,24 @@ enum class Fault {
 /// What the value of a fault is, for messages.
 constexpr const char* describe(Fault fault) {
   switch (fault) {
-    case Fault::none: return "no fault";
-    case Fault::neighbour_capacity: return "near neighbours of one particle";
-    case Fault::pair_capacity: return "near pairs in one chunk of the pipe";
-    case Fault::chunk_capacity: return "particles within reach along the pipe";
-    case Fault::non_finite: return "a value that is not finite";
-    case Fault::outside_pipe: return "distance from the axis or place along the pipe in m";
-    case Fault::overlap: return "overlap in radii";
-    case Fault::too_fast: return "distance travelled in one step in radii";
-    case Fault::gas_unsolved: return "relative residual of the gas flow in a slice";
+    case Fault::none:
+      return "no fault";
+    case Fault::neighbour_capacity:
+      return "near neighbours of one particle";
+    case Fault::pair_capacity:
+      return "near pairs in one chunk of the pipe";
+    case Fault::chunk_capacity:
+      return "particles within reach along the pipe";
+    case Fault::non_finite:
+      return "a value that is not finite";
+    case Fault::outside_pipe:
+      return "distance from the axis or place along the pipe in m";
+    case Fault::overlap:
+      return "overlap in radii";
+    case Fault::too_fast:
+      return "distance travelled in one step in radii";
+    case Fault::gas_unsolved:
+      return "relative residual of the gas flow in a slice";
   }
   return "unknown fault";
 }

@@ -1,8 +1,8 @@
 // The order of one time step.
 //
 // Contact rows from the present positions, chunk after chunk along the pipe; each chunk then sums its rows and moves.
-// A chunk may move before the next one computes its contacts: no contact of a later chunk looks back. The step ends with
-// the checks, and a fault is final: the state is that after the faulty step, for the report.
+// A chunk may move before the next one computes its contacts: no contact of a later chunk looks back. The step ends
+// with the checks, and a fault is final: the state is that after the faulty step, for the report.
 #pragma once
 
 #include "floaters.hpp"
@@ -50,8 +50,8 @@ Status find_culprit(const State<Case>& s, Fault fault, double limit) {
 
 }  // namespace detail
 
-/// Checks after a step: finite, not too fast, not too deep. The overlap is that at the beginning of the step; whose it is
-/// is left to be named by the caller (observe.hpp).
+/// Checks after a step: finite, not too fast, not too deep. The overlap is that at the beginning of the step; whose it
+/// is is left to be named by the caller (observe.hpp).
 template <class Case>
 Status check_step(const State<Case>& s) {
   const double radius = Derived<Case>::radius;

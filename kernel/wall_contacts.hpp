@@ -11,7 +11,7 @@ namespace fixdem {
 
 /// Geometry of one batch of near walls; `Surface` gives overlap and outward normal from positions.
 template <class Case, int W, class Surface>
-FIXDEM_INLINE void wall_geometry(const RowNumber* owner, const double* rows, int valid, ContactGeometry& g,
+FIXDEM_INLINE void wall_geometry(const RowOffset* owner, const double* rows, int valid, ContactGeometry& g,
                                  ContactWatch<W>& watch) {
   using V = Lanes<W>;
   for (int lane = 0; lane < 8; lane += W) {
@@ -48,7 +48,8 @@ struct EndSurfaces {
 
 /// Force rows of the near walls of one kind in one chunk, written from row `row` on.
 template <class Case, int W, class Surface, class Walls>
-void wall_contacts(Walls& walls, const Particles<Case>& particles, double* all_rows, int chunk, int row, Watch& totals) {
+void wall_contacts(Walls& walls, const Particles<Case>& particles, double* all_rows, int chunk, int row,
+                   Watch& totals) {
   using Law = ContactLaw<Case, true>;
   constexpr int width = Particles<Case>::motion_width;
   const int base = chunk * Capacity<Case>::chunk_size;
@@ -61,7 +62,7 @@ void wall_contacts(Walls& walls, const Particles<Case>& particles, double* all_r
       wall_geometry<Case, W, Surface>(walls.owner[group + b], particles.position[base],
                                       walls.count[chunk] - 8 * (group + b - first), geometry[b], watch);
     for (int b = 0; b < size; ++b) {
-      const RowNumber* owner = walls.owner[group + b];
+      const RowOffset* owner = walls.owner[group + b];
       double(*history)[8] = detail::history_of<Law::history_size>(walls, group + b);
       double* rows = all_rows + (row + 8 * (group + b - first)) * width;
       for (int lane = 0; lane < 8; lane += W) {

@@ -9,19 +9,17 @@
 namespace fixdem {
 
 struct Watch {
-  alignas(64) double overlap[8];         ///< greatest overlaps, m
-  alignas(64) double motion_square[8];   ///< greatest squares of each column of motion
-  alignas(64) double square_sum[8];      ///< sum of the same; not finite as soon as one value is not
-  alignas(64) double damping_power[8];   ///< scaled force times velocity, summed over steps and contacts
-  alignas(64) double sliding_work[8];    ///< scaled force times displacement
-  alignas(64) double gas_work[8];        ///< scaled force times velocity
+  alignas(64) double overlap[8];        ///< greatest overlaps, m
+  alignas(64) double motion_square[8];  ///< greatest squares of each column of motion
+  alignas(64) double square_sum[8];     ///< sum of the same; not finite as soon as one value is not
+  alignas(64) double damping_power[8];  ///< scaled force times velocity, summed over steps and contacts
+  alignas(64) double sliding_work[8];   ///< scaled force times displacement
+  alignas(64) double gas_work[8];       ///< scaled force times velocity
 
   void begin_step() {
     for (int k = 0; k < 8; ++k) overlap[k] = motion_square[k] = square_sum[k] = 0;
   }
-  static double sum(const double (&a)[8]) {
-    return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7]));
-  }
+  static double sum(const double (&a)[8]) { return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7])); }
   double greatest_overlap() const {
     double greatest = 0;
     for (double a : overlap) greatest = a > greatest ? a : greatest;

@@ -1,0 +1,103 @@
+# fixdem: every target. `make help` lists them; tools/make/variant.mk holds the flags, tools/make/rules.mk says how each
+# file is made.
+#
+# The targets below are thin: they see to it that what they need is installed (tools/deps/deps.sh, silent when all is
+# there), then call make once more, on all cores, for the files.
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+.SUFFIXES:
+.SECONDARY:
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := help
+
+ifneq ($(filter default undefined,$(origin CXX)),)
+CXX := g++
+endif
+CASE ?= plug_u24
+ARCH ?= native
+SEED ?=
+ARGS ?=
+
+include tools/make/variant.mk
+include tools/make/rules.mk
+
+# All cores, unless the caller has already said how many.
+parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
+files = +@$(MAKE) $(parallel)
+needs = @CXX='$(CXX)' INCLUDES='$(system_includes)' tools/deps/deps.sh
+
+.PHONY: help
+help:  ## this list
+	@echo 'make TARGET [CASE=$(CASE)] [CXX=$(CXX)] [ARCH=$(ARCH)] [OUT=out/CASE] [SEED=n] [ARGS="--duration 0.1 ..."]'
+	@sed -nE 's/^([a-z-]+):.*## (.*)/  \1\t\2/p' Makefile | expand -t 16
+	@echo 'CASE is a name in cases/ or the path of any .toml file. ARCH: native, x86-64-v3 or x86-64.'
+
+.PHONY: run
+run:  ## build and run CASE, and first the case it starts from; results in OUT
+	$(needs) run
+	$(files) build-program
+	$(files) start-state
+	@$(read_start); $(call run_case,$(OUT))$(if $(filter $(usual),$(OUT)),; $(leave_mark))
+
+.PHONY: test
+test:  ## build and run every test; ends with "N passed, M failed"
+	$(needs) run test
+	+@$(MAKE) $(parallel) build-tests || { echo '0 passed, 1 failed'; exit 1; }
+	@tests/run.sh '$(build)' '$(CXX)' $(test_flags)
+
+.PHONY: cases
+cases:  ## build the program of every case in cases/ and list them
+	$(needs) run
+	$(files) build-cases
+	@for case in $(case_names); do printf '%-16s %s\n' "$$case" "$$(sed -n 's/^title *= *"\(.*\)"/\1/p' "cases/$$case.toml")"; done
+
+.PHONY: header
+header:  ## print the header that is generated from CASE
+	$(needs) run
+	$(files) $(case_header) >&2
+	@cat $(case_header)
+
+.PHONY: asm
+asm:  ## show the hot loop of CASE's program in assembly
+	$(needs) run
+	$(files) build-program >&2
+	@objdump -d -C --no-show-raw-insn $(case_program) | awk -f tools/make/hot_loop.awk
+
+.PHONY: check
+check:  ## formatting, clang-tidy, and the tests under address and undefined-behaviour sanitizers
+	$(needs) run test check
+	clang-format --dry-run -Werror $(sources)
+	$(files) build-tidy
+	@$(MAKE) test SAN=1
+
+.PHONY: format
+format:  ## format every source file in place
+	$(needs) check
+	clang-format -i $(sources)
+
+.PHONY: plug-table
+plug-table:  ## run the five plugs from three seeds of each fill and rewrite the table in cases/README.md
+	$(needs) run table
+	$(files) $(addprefix $(build)/bin/,$(plug_cases))
+	tools/plug_table/plug_table.py --programs $(build)/bin --out out/plug_table cases/README.md
+
+.PHONY: pictures
+pictures:  ## run plug_u24 and redraw the picture of the README (cases/gallery/)
+	$(needs) run picture
+	@$(MAKE) run CASE=plug_u24 OUT=out/picture ARGS='--quiet'
+	tools/picture/picture.py out/picture cases/gallery/plug_u24 --case cases/plug_u24.toml
+
+.PHONY: render
+render:  ## render CASE's frames with ParaView into OUT/render.png
+	$(needs) render
+	xvfb-run -a pvpython --force-offscreen-rendering tools/picture/render_paraview.py $(OUT) $(OUT)/render.png
+
+.PHONY: deps
+deps:  ## install what running and testing need; nothing when all is there
+	$(needs) run test
+
+.PHONY: clean
+clean:  ## remove everything built; results in out/ stay
+	rm -rf $(BUILD)

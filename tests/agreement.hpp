@@ -1,0 +1,128 @@
+// Kernel against reference: the same state to both, the same number of steps, and the greatest difference.
+//
+// The two round differently, and a granular bed amplifies a difference e-fold in about 1.2 ms (in a dense bed) to 4 ms:
+// over the 2 ms of 1000 steps, rounding at 1e-17 m grows to some 1e-14 m and more where spheres collide hard. Positions
+// must agree to 1e-11 diameters (1e-13 m here). A velocity difference belongs to a position difference over the time
+// scale of a contact, 1/(5e4 per s) at the least; a spin difference to a velocity difference over the radius.
+#pragma once
+
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "kernel/fixdem.hpp"
+#include "reference/reference.hpp"
+#include "scenes.hpp"
+
+namespace fixdem::tests {
+
+inline constexpr long long agreement_steps = 1000;
+inline constexpr double position_tolerance = 1e-11;                     // diameters
+inline constexpr double velocity_tolerance = position_tolerance * 5e4;  // diameters per second
+inline constexpr double spin_tolerance = 2 * velocity_tolerance;        // rad/s
+inline constexpr double energy_tolerance = 1e-9;                        // of the greatest term
+
+/// What happened to the contacts meanwhile: a comparison is worth little where nothing began, ended, slid or stuck.
+struct Events {
+  int begun = 0, ended = 0, sliding = 0, sticking = 0;
+};
+
+template <class Case>
+Simulation<Case>& kernel() {
+  static Simulation<Case> simulation;
+  return simulation;
+}
+
+template <class Case>
+std::set<std::pair<int, int>> contact_keys(const reference::Reference<Case>& program) {
+  std::set<std::pair<int, int>> keys;
+  program.for_each_contact([&](const auto& c) { keys.insert({c.owner, c.partner}); });
+  return keys;
+}
+
+/// Runs both from `state`, checks every particle and the energy ledger, and tells what the contacts did.
+template <class Case>
+Events check_agreement(const HandOver& state, const char* what) {
+  enter({Case::name, seed()});
+  Simulation<Case>& fast = kernel<Case>();
+  static reference::Reference<Case> slow;
+  start_from(fast, state);
+  start_from(slow, state);
+
+  Events events;
+  std::set<std::pair<int, int>> before;
+  for (int piece = 0; piece < 100; ++piece) {
+    run(slow, agreement_steps / 100);
+    const auto now = contact_keys(slow);
+    if (piece > 0) {
+      for (const auto& key : now) events.begun += before.count(key) == 0;
+      for (const auto& key : before) events.ended += now.count(key) == 0;
+    }
+    before = now;
+    slow.for_each_contact([&](const auto& c) {
+      const bool slides = length(c.tangential_force) > Case::friction * std::abs(c.normal_force) * (1 - 1e-9);
+      (slides ? events.sliding : events.sticking) += 1;
+    });
+  }
+  run(fast, agreement_steps);
+
+  double position = 0, velocity = 0, spin = 0;
+  for (int i = 0; i < Case::particle_count; ++i) {
+    const auto a = fast.particle(i);
+    const auto b = slow.particle(i);
+    const double dx[3] = {a.position[0] - b.position[0], a.position[1] - b.position[1],
+                          axial_difference<Case>(a.position[2], b.position[2])};
+    position = std::max(position, length(dx) / Case::diameter);
+    for (int k = 0; k < 3; ++k) {
+      velocity = std::max(velocity, std::abs(a.velocity[k] - b.velocity[k]) / Case::diameter);
+      spin = std::max(spin, std::abs(a.angular_velocity[k] - b.angular_velocity[k]));
+      // A maximum would overlook what is no number.
+      CHECK(std::isfinite(dx[k] + a.velocity[k] - b.velocity[k] + a.angular_velocity[k] - b.angular_velocity[k]));
+    }
+  }
+  INFO(what, ": ", events.begun, " contacts begun, ", events.ended, " ended");
+  CHECK(position < position_tolerance);
+  CHECK(velocity < velocity_tolerance);
+  CHECK(spin < spin_tolerance);
+  if (std::getenv("FIXDEM_FIGURES") != nullptr) {
+    std::cerr << std::scientific << std::setprecision(1) << "  " << position << " d, " << velocity << " d/s, " << spin
+              << " rad/s; begun " << events.begun << ", ended " << events.ended << ", sliding " << events.sliding
+              << ", sticking " << events.sticking << ": " << what << "\n";
+  }
+
+  if constexpr (Case::energy_ledger) {
+    const auto a = fast.energy();
+    const auto b = slow.energy();
+    const double scale = b.kinetic + std::abs(b.dissipated_damping) + std::abs(b.dissipated_sliding) +
+                         std::abs(b.gravity_work) + std::abs(b.gas_work);
+    CHECK(std::abs(a.kinetic - b.kinetic) <= energy_tolerance * scale);
+    CHECK(std::abs(a.dissipated_damping - b.dissipated_damping) <= energy_tolerance * scale);
+    CHECK(std::abs(a.dissipated_sliding - b.dissipated_sliding) <= energy_tolerance * scale);
+    CHECK(std::abs(a.gravity_work - b.gravity_work) <= energy_tolerance * scale);
+    CHECK(std::abs(a.gas_work - b.gas_work) <= energy_tolerance * scale);
+  }
+  if constexpr (Case::has_gas) {
+    for (int s = 0; s < Case::slice_count; ++s) {
+      const auto& flow = slow.slices()[s];
+      CAPTURE(s);
+      CHECK(fast.bed_area(s) == doctest::Approx(flow.bed_area).epsilon(1e-9));
+      CHECK(fast.pressure_gradient(s) == doctest::Approx(flow.pressure_gradient).epsilon(1e-9));
+    }
+  }
+  return events;
+}
+
+/// The kernel runs the scene for a while, then both go on from there.
+template <class Case>
+Events check_after(const Spheres& spheres, long long steps, const char* what) {
+  enter({Case::name, seed()});
+  place_all(kernel<Case>(), spheres);
+  start(kernel<Case>());
+  run(kernel<Case>(), steps);
+  return check_agreement<Case>(hand_over_from(kernel<Case>(), Case::particle_count), what);
+}
+
+}  // namespace fixdem::tests

@@ -1,0 +1,17 @@
+// The control: the base case itself, its linear twin and one with gas must compile.
+#include "base.hpp"
+
+namespace fixdem::compile_fail {
+struct Linear : Base {
+  static constexpr auto normal = NormalLaw::linear;
+  static constexpr auto damping = Damping::critical;
+  static constexpr double normal_stiffness = 1e4, tangential_stiffness = 1e4;
+};
+struct Gas : Base {
+  static constexpr bool has_gas = true;
+  static constexpr double gas_velocity = 2.4, gas_density = 1.2, gas_viscosity = 1.5e-5, gas_bed_diameter = 0.01;
+};
+template int use<Base>();
+template int use<Linear>();
+template int use<Gas>();
+}  // namespace fixdem::compile_fail

@@ -1,0 +1,276 @@
+// What stops a run: each fault names the right kind, step, particle, value and limit; it is final; and no byte outside
+// the simulation is touched. (Writes between its arrays are for the sanitizers: make test SAN=1.)
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "cases/pipe_bed.hpp"
+#include "cases/plug_u24.hpp"
+#include "guarded.hpp"
+#include "scenes.hpp"
+
+namespace fixdem::tests {
+namespace {
+
+struct Expected {
+  Fault fault;
+  int particle;
+  double value, limit;
+};
+
+void check_status(const Status& status, const Expected& expected) {
+  CHECK(status.fault == expected.fault);
+  CHECK(status.particle == expected.particle);
+  if (std::isnan(expected.value)) {
+    CHECK(!std::isfinite(status.value));
+  } else {
+    CHECK(status.value == doctest::Approx(expected.value).epsilon(1e-6));
+  }
+  CHECK(status.limit == doctest::Approx(expected.limit).epsilon(1e-12));
+}
+
+/// After a fault nothing moves and the status stays.
+template <class Case>
+void check_final(Simulation<Case>& simulation, const Status& status) {
+  const auto before = all_particles(simulation, Case::particle_count);
+  const Status again = simulation.run(10);
+  CHECK(again.fault == status.fault);
+  CHECK(again.step == status.step);
+  CHECK(again.particle == status.particle);
+  const auto after = all_particles(simulation, Case::particle_count);
+  CHECK(std::memcmp(before.data(), after.data(), before.size() * sizeof(Sphere)) == 0);
+}
+
+/// Refused by start(), at step 0.
+template <class Case>
+void check_refused(const Spheres& spheres, const Expected& expected) {
+  enter({Case::name, seed()});
+  Guarded<Case>& object = guarded<Case>();
+  place_all(object.simulation, spheres);
+  const Status status = object.simulation.start();
+  check_status(status, expected);
+  CHECK(status.step == 0);
+  CHECK(object.simulation.run(10).fault == expected.fault);
+  CHECK(object.simulation.step() == 0);
+  CHECK(object.intact());
+}
+
+/// Accepted by start(), stopped after `step` steps (within `slack`).
+template <class Case>
+Status check_stopped(const Spheres& spheres, const Expected& expected, double step, double slack) {
+  enter({Case::name, seed()});
+  Guarded<Case>& object = guarded<Case>();
+  place_all(object.simulation, spheres);
+  REQUIRE(object.simulation.start().ok());
+  const Status status = object.simulation.run(100000);
+  check_status(status, expected);
+  CHECK(std::abs(static_cast<double>(status.step) - step) <= slack);
+  CHECK(object.simulation.step() == status.step);
+  check_final(object.simulation, status);
+  CHECK(object.intact());
+  return status;
+}
+
+struct few : cases::pipe_bed {
+  static constexpr int particle_count = 4;
+  static constexpr double gravity[3] = {0, 0, 0};
+  static constexpr double pipe_length = 0.2;
+  static constexpr int slice_count = 20;
+};
+struct two_neighbours : few {
+  static constexpr int neighbour_capacity = 2;
+};
+struct closed_few : few {
+  static constexpr Ends ends = Ends::closed;
+};
+struct soft : few {
+  static constexpr NormalLaw normal = NormalLaw::linear;
+  static constexpr double normal_stiffness = 10, tangential_stiffness = 10, restitution = 1, friction = 0;
+};
+/// Nothing stops a particle before it is outside.
+struct ghost_wall : soft {
+  static constexpr double max_overlap = 1000;
+};
+
+constexpr double d = few::diameter, r = d / 2, wall = few::pipe_diameter / 2;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Four spheres well apart, at rest.
+Spheres apart() {
+  Spheres spheres(4);
+  for (int k = 0; k < 4; ++k) spheres[k].position[2] = 0.02 + 0.04 * k;
+  return spheres;
+}
+
+TEST_CASE("fault: more neighbours than the capacity, at the start") {
+  Spheres spheres = apart();  // 2 in the middle of 0, 1 and 3, which are apart
+  const double centre = 0.1, places[4][3] = {{0, d, centre}, {0, -d, centre}, {0, 0, centre}, {0, 0, centre + d}};
+  for (int k = 0; k < 4; ++k) std::memcpy(spheres[k].position, places[k], sizeof places[k]);
+  check_refused<two_neighbours>(spheres, {Fault::neighbour_capacity, 2, 3, 2});
+}
+
+TEST_CASE("fault: more neighbours than the capacity, during the run") {
+  Spheres spheres = apart();  // 3 flies towards 2, which has two neighbours already
+  const double places[4][3] = {{0, d, 0.1}, {0, -d, 0.1}, {0, 0, 0.1}, {0, 0, 0.1 + 2 * d}};
+  for (int k = 0; k < 4; ++k) std::memcpy(spheres[k].position, places[k], sizeof places[k]);
+  spheres[3].velocity[2] = -1;
+  // 10 mm to go, less the margin of the list (0.04 d at most): between 4600 and 5000 steps.
+  check_stopped<two_neighbours>(spheres, {Fault::neighbour_capacity, 2, 3, 2}, 4850, 200);
+}
+
+/// 64 spheres in one plane, each touching two of the 64 in the next: more pairs than neighbours allow on average.
+struct zigzag : few {
+  static constexpr int particle_count = 128;
+  static constexpr bool has_wall = false;
+  static constexpr int neighbour_capacity = 2;
+};
+
+TEST_CASE("fault: more pairs than a chunk holds") {
+  REQUIRE(Capacity<zigzag>::chunk_size == 64);
+  Spheres spheres(128);
+  for (int k = 0; k < 64; ++k) {
+    spheres[k].position[0] = 1.6 * d * k, spheres[k].position[2] = 0.1;
+    spheres[64 + k].position[0] = 1.6 * d * k + 0.8 * d, spheres[64 + k].position[2] = 0.1 + 0.6 * d;
+  }
+  // Spheres k and 64 + k, then k + 1 and 64 + k: the pair number 73 belongs to the 37th sphere of the chunk.
+  const int limit = Capacity<zigzag>::chunk_pairs;
+  REQUIRE(limit == 72);
+  check_refused<zigzag>(spheres, {Fault::pair_capacity, 36, limit + 1.0, static_cast<double>(limit)});
+}
+
+/// More spheres beside each other than the pipe could hold: only without its wall.
+struct crowd : few {
+  static constexpr int particle_count = 130;
+  static constexpr bool has_wall = false;
+};
+
+TEST_CASE("fault: more particles beside each other than a chunk holds") {
+  Spheres spheres(130);
+  for (int k = 0; k < 130; ++k) {
+    spheres[k].position[0] = 2 * d * k;
+    spheres[k].position[2] = 0.1 + 1e-9 * k;
+  }
+  spheres[100].position[0] = spheres[10].position[0], spheres[100].position[1] = d;  // 10 and 100 touch
+  const int limit = Capacity<crowd>::chunk_size;
+  check_refused<crowd>(spheres, {Fault::chunk_capacity, 10, 90, static_cast<double>(limit)});
+}
+
+TEST_CASE("fault: input that is no finite number") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity, -infinity}) {
+    for (int component = 0; component < 3; ++component) {
+      Spheres spheres = apart();
+      spheres[1].position[component] = bad;
+      check_refused<few>(spheres, {Fault::non_finite, 1, nan, 0});
+      spheres = apart();
+      spheres[2].velocity[component] = bad;
+      check_refused<few>(spheres, {Fault::non_finite, 2, nan, 0});
+      spheres = apart();
+      spheres[3].angular_velocity[component] = bad;
+      check_refused<few>(spheres, {Fault::non_finite, 3, nan, 0});
+    }
+  }
+}
+
+TEST_CASE("fault: a state that becomes not finite") {
+  Spheres spheres = apart();
+  spheres[2].angular_velocity[1] = 1e300;  // finite, its square is not
+  check_stopped<few>(spheres, {Fault::non_finite, 2, nan, 0}, 1, 0);
+}
+
+TEST_CASE("fault: outside the pipe at the start") {
+  Spheres spheres = apart();
+  spheres[3].position[1] = -1.01 * wall;
+  check_refused<few>(spheres, {Fault::outside_pipe, 3, 1.01 * wall, wall});
+  spheres = apart();
+  spheres[0].position[2] = -0.01 * d;
+  check_refused<closed_few>(spheres, {Fault::outside_pipe, 0, -0.01 * d, few::pipe_length});
+  spheres = apart();
+  spheres[1].position[2] = few::pipe_length + 0.01 * d;
+  check_refused<closed_few>(spheres, {Fault::outside_pipe, 1, few::pipe_length + 0.01 * d, few::pipe_length});
+}
+
+TEST_CASE("fault: outside the pipe during the run") {
+  Spheres spheres = apart();
+  spheres[3].velocity[0] = 5;
+  // 25 mm to the wall at 5 m/s (2500 steps); the spring is too soft to matter. Found when the list is next renewed, at
+  // the latest after half of 0.04 d: 0.2 mm, 20 steps further.
+  enter({ghost_wall::name, 0});
+  Guarded<ghost_wall>& object = guarded<ghost_wall>();
+  place_all(object.simulation, spheres);
+  REQUIRE(object.simulation.start().ok());
+  const Status status = object.simulation.run(100000);
+  CHECK(status.fault == Fault::outside_pipe);
+  CHECK(status.particle == 3);
+  CHECK(status.value > wall);
+  CHECK(status.value < wall + 0.05 * d);
+  CHECK(status.limit == doctest::Approx(wall).epsilon(1e-12));
+  CHECK(std::abs(static_cast<double>(status.step) - 2520) < 40);
+  check_final(object.simulation, status);
+  CHECK(object.intact());
+}
+
+TEST_CASE("fault: too deep an overlap at the start") {
+  Spheres spheres = apart();
+  spheres[2].position[2] = spheres[1].position[2] + d - 0.6 * r;
+  check_refused<few>(spheres, {Fault::overlap, 1, 0.6, 0.5});
+  spheres = apart();
+  spheres[3].position[0] = wall - r + 0.7 * r;
+  check_refused<few>(spheres, {Fault::overlap, 3, 0.7, 0.5});
+}
+
+TEST_CASE("fault: coincident centres") {
+  Spheres spheres = apart();
+  spheres[2] = spheres[1];
+  check_refused<few>(spheres, {Fault::overlap, 1, 2, 0.5});
+}
+
+TEST_CASE("fault: too deep an overlap during the run") {
+  Spheres spheres = apart();
+  spheres[1].velocity[2] = 3;  // 30 mm to sphere 2, then 2.5 mm into it: 32.5 mm at 3 m/s, or 5417 steps
+  enter({soft::name, 0});
+  Guarded<soft>& object = guarded<soft>();
+  place_all(object.simulation, spheres);
+  REQUIRE(object.simulation.start().ok());
+  const Status status = object.simulation.run(100000);
+  CHECK(status.fault == Fault::overlap);
+  CHECK((status.particle == 1 || status.particle == 2));
+  CHECK(status.value > 0.5);
+  CHECK(status.value < 0.51);  // one or two steps of 1.2e-3 radii beyond
+  CHECK(std::abs(static_cast<double>(status.step) - 5420) < 10);
+  check_final(object.simulation, status);
+  CHECK(object.intact());
+}
+
+TEST_CASE("fault: too fast") {
+  Spheres spheres = apart();
+  spheres[2].velocity[2] = 2000;  // 4 mm per step: 0.8 radii
+  check_stopped<few>(spheres, {Fault::too_fast, 2, 0.8, 0.5}, 1, 0);
+}
+
+struct absurd_gas : cases::plug_u24 {
+  static constexpr int particle_count = 4;
+  static constexpr double gas_velocity = 1e300;  // its seventh power by quarters is not finite
+};
+struct violent_gas : absurd_gas {
+  static constexpr double gas_velocity = 1e200;  // solved, but the velocities that follow have no finite square
+};
+
+TEST_CASE("fault: a gas flow that cannot be solved, or that blows everything away") {
+  Spheres spheres = apart();
+  spheres[0].position[1] = -(wall - r) - 1e-6;  // on the bottom: a bed
+  check_stopped<absurd_gas>(spheres, {Fault::gas_unsolved, -1, nan, 1e-9}, 0, 0);
+  check_stopped<violent_gas>(spheres, {Fault::non_finite, 0, nan, 0}, 1, 0);
+}
+
+TEST_CASE("fault: a good run touches nothing outside and reports no fault") {
+  enter({few::name, 0});
+  Guarded<few>& object = guarded<few>();
+  place_all(object.simulation, apart());
+  REQUIRE(object.simulation.start().ok());
+  CHECK(object.simulation.run(1000).ok());
+  CHECK(object.intact());
+}
+
+}  // namespace
+}  // namespace fixdem::tests

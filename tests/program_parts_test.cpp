@@ -1,0 +1,234 @@
+// The parts of the program that can be tested without a simulation: random numbers, arrangement, state file, schedule,
+// fault report, dump.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "tools/run/arrangement.hpp"
+#include "tools/run/collision_tracker.hpp"
+#include "tools/run/dump.hpp"
+#include "tools/run/energy_balance.hpp"
+#include "tools/run/failure.hpp"
+#include "tools/run/fault_report.hpp"
+#include "tools/run/random_numbers.hpp"
+#include "tools/run/schedule.hpp"
+#include "tools/run/state_file.hpp"
+
+using namespace fixdem;
+using namespace fixdem::program;
+
+namespace {
+
+/// Smallest distance of two centres, by looking at all pairs.
+double min_distance(const std::vector<Position>& x, double period) {
+  double least = INFINITY;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      double z = x[i][2] - x[j][2];
+      if (period > 0) z -= period * std::round(z / period);
+      least = std::min(least, std::hypot(x[i][0] - x[j][0], x[i][1] - x[j][1], z));
+    }
+  return least;
+}
+
+double greatest_reach(const std::vector<Position>& x) {
+  double reach = 0;
+  for (const Position& p : x) reach = std::max(reach, std::hypot(p[0], p[1]));
+  return reach;
+}
+
+}  // namespace
+
+TEST_CASE("random numbers are those of the standard, and uniform in [0, 1)") {
+  // The standard gives the 10000th value of a default-seeded mt19937_64 (seed 5489).
+  RandomNumbers numbers(5489);
+  double value = 0;
+  for (int k = 0; k < 10000; ++k) value = numbers.unit();
+  CHECK(value == static_cast<double>(9981545732273789042ULL >> 11) * 0x1p-53);
+  double sum = 0;
+  for (int k = 0; k < 100000; ++k) {
+    value = numbers.unit();
+    if (value < 0 || value >= 1) FAIL("outside [0, 1)");
+    sum += value;
+  }
+  CHECK(sum / 100000 == doctest::Approx(0.5).epsilon(0.01));
+}
+
+TEST_CASE("arrangement: no overlap, inside the pipe, reproducible; dense ones are relaxed") {
+  const double d = 0.01;
+  SUBCASE("dilute, closed") {
+    ArrangementReport report;
+    const auto x = arrange({0.05, 2.0, false}, 1000, d, 1, &report);
+    CHECK(report.inserted_overlapping == 0);
+    CHECK(min_distance(x, 0) >= d);
+    CHECK(greatest_reach(x) <= 0.02);
+    for (const Position& p : x) CHECK((p[2] >= d / 2 && p[2] <= 2 - d / 2));
+    CHECK(arrange({0.05, 2.0, false}, 1000, d, 1) == x);
+    CHECK(arrange({0.05, 2.0, false}, 1000, d, 2) != x);
+  }
+  SUBCASE("denser than insertion reaches, periodic") {
+    ArrangementReport report;
+    const auto x = arrange({0.05, 0.8, true}, 1000, d, 1, &report);
+    CHECK(report.inserted_overlapping > 0);
+    CHECK(min_distance(x, 0.8) >= d);
+    CHECK(greatest_reach(x) <= 0.02);
+    for (const Position& p : x) CHECK((p[2] >= 0 && p[2] < 0.8));
+  }
+  SUBCASE("a wide pipe") { CHECK(min_distance(arrange({0.2, 0.2, true}, 2000, d, 7), 0.2) >= d); }
+}
+
+TEST_CASE("arrangement: what cannot be placed is refused with numbers and advice") {
+  try {
+    arrange({0.05, 0.4, false}, 1000, 0.01, 1);
+    FAIL("1000 particles do not fit into 0.4 m");
+  } catch (const Failure& failure) {
+    CHECK(failure.code() == exit_bad_input);
+    const std::string message = failure.what();
+    CHECK(message.find("1000 particles") != std::string::npos);
+    CHECK(message.find("solids fraction 0.667") != std::string::npos);
+    CHECK(message.find("raise [pipe] length") != std::string::npos);
+  }
+}
+
+TEST_CASE("arrangement: velocities are uniform in their bounds") {
+  const auto particles = arrange_moving({0.05, 2.0, false}, 1000, 0.01, 0.5, 1);
+  double sum[3] = {}, greatest = 0;
+  for (const Particle& p : particles)
+    for (int k = 0; k < 3; ++k) {
+      sum[k] += p.velocity[k] * p.velocity[k] / 1000;
+      greatest = std::max(greatest, std::fabs(p.velocity[k]));
+      CHECK(p.angular_velocity[k] == 0);
+    }
+  CHECK(greatest <= 0.5);
+  for (double mean_square : sum) CHECK(mean_square == doctest::Approx(0.25 / 3).epsilon(0.1));
+}
+
+namespace {
+
+StoredState example_state() {
+  StoredState state;
+  state.case_name = "example";
+  state.source_hash = 0x123456789abcdef0;
+  state.complete = true;
+  state.diameter = 0.01, state.time = 0.3, state.duration = 0.5;
+  state.step = 150000;
+  state.particles = {{{0.001, -0.002, 0.1}, {1, 2, 3}, {4, 5, 6}}, {{0, 0, 0.109}, {-1, 0, 1e-300}, {0, 0, -0.0}}};
+  state.images = {0, -2};
+  state.histories = {{0, 1, {1e-7, 0, -2e-8}}, {1, -1, {3, 2, 1}}};
+  return state;
+}
+
+std::string refusal(const std::string& bytes) {
+  try {
+    decode_state(bytes, "some.fixdem");
+  } catch (const Failure& failure) {
+    CHECK(failure.code() == exit_bad_input);
+    return failure.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("state file: reads back exactly; any damage is refused and named") {
+  const StoredState state = example_state();
+  const std::string bytes = encode_state(state);
+  const StoredState again = decode_state(bytes, "some.fixdem");
+  CHECK(encode_state(again) == bytes);
+  CHECK(again.case_name == "example");
+  CHECK(again.complete);
+  CHECK(std::memcmp(again.particles.data(), state.particles.data(), 2 * sizeof(Particle)) == 0);
+  CHECK(again.images == state.images);
+  CHECK(again.histories[1].partner == -1);
+
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x10);
+    if (refusal(damaged) == "accepted") FAIL("a flipped bit at byte ", i, " went unnoticed");
+    if (refusal(bytes.substr(0, i)) == "accepted") FAIL("a file cut off at byte ", i, " was accepted");
+  }
+  CHECK(refusal("something else entirely").find("no state file") != std::string::npos);
+  std::string swapped = bytes;
+  std::reverse(swapped.begin() + 8, swapped.begin() + 12);
+  CHECK(refusal(swapped).find("byte order") != std::string::npos);
+  std::string newer = bytes;
+  newer[12] = 9;
+  CHECK(refusal(newer).find("version 9") != std::string::npos);
+  // A right checksum over impossible contents: a history of particle 7 of 2.
+  StoredState impossible = state;
+  impossible.histories[0].partner = 7;
+  CHECK(refusal(encode_state(impossible)).find("impossible contact") != std::string::npos);
+}
+
+TEST_CASE("state hash: does not depend on which particle of a pair the kernel calls the owner") {
+  Snapshot a;
+  a.particles = example_state().particles;
+  a.contacts.push_back({0, 1, 1e-6, {0, 0, 1}, 1, {0, 0, 0}, {1e-7, 2e-7, 0}});
+  Snapshot b = a;
+  CHECK(state_hash(a) == state_hash(b));
+  b.contacts[0].history[0] = 1.0000001e-7;
+  CHECK(state_hash(a) != state_hash(b));
+  b = a;
+  b.particles[1].velocity[2] = 2e-300;
+  CHECK(state_hash(a) != state_hash(b));
+}
+
+TEST_CASE("schedule: whole steps nearest to the events, never skipped by rounding") {
+  Schedule every(3, 2);  // 1.5 steps
+  std::vector<long long> steps;
+  for (long long step = 0; step <= 9; ++step)
+    if (every.is_due(step)) steps.push_back(step), every.advance(step);
+  CHECK(steps == std::vector<long long>{0, 2, 3, 5, 6, 8, 9});
+  CHECK_FALSE(Schedule(0, 0.2).is_due(1000000));
+  Schedule decimal(0.01, 2e-6);
+  long long last = 0;
+  for (int k = 0; k < 120; ++k) decimal.advance(decimal.next()), last = decimal.next();
+  CHECK(last == 600000);
+}
+
+TEST_CASE("energy balance: relative to the largest term") {
+  Energy start{2, 0, 0, 0, 0, 0}, now{1, 0.5, 0.5, 0.25, 0.25, 0};
+  CHECK(balance_error(start, now) == doctest::Approx(0));
+  now.kinetic = 1.1;
+  CHECK(balance_error(start, now) == doctest::Approx(0.05));
+  CHECK(balance_error(Energy{}, Energy{}) == 0);
+}
+
+TEST_CASE("the greatest value of a sampled curve comes from a parabola") {
+  ParabolicMaximum greatest;
+  for (int k = 0; k <= 10; ++k) {
+    const double t = k - 4.3;
+    greatest.add(7 - 0.5 * t * t);
+  }
+  CHECK(greatest.value() == doctest::Approx(7));
+}
+
+TEST_CASE("fault report: contact time, advice and exit codes") {
+  CaseFacts facts{};
+  facts.mass = 3.14159265358979 / 6 * 1e-3, facts.density = 1000, facts.diameter = 0.01;
+  facts.stiffness_pair = 1.122e8, facts.stiffness_wall = 1.587e8;
+  CHECK(contact_time(facts, 1.0) == doctest::Approx(7.16e-5).epsilon(0.002));  // pair; a wall: 8.22e-5 s
+  facts.time_step = 1e-5;
+  const Status status{Fault::overlap, 41213, 318, 0.61, 0.5};
+  CHECK(fault_sentence(facts, status) == "particle 318 has an overlap of 0.61 radii (limit 0.5)");
+  CHECK(fault_advice(facts, status, 1.0).find("try [run] time_step = 3.5e-06") != std::string::npos);
+  CHECK(fault_exit_code(Fault::overlap) == exit_unstable);
+  CHECK(fault_exit_code(Fault::neighbour_capacity) == exit_capacity);
+}
+
+TEST_CASE("dump: a LAMMPS section that reads back exactly") {
+  Snapshot snapshot;
+  snapshot.step = 500;
+  snapshot.particles = example_state().particles;
+  CaseFacts facts{};
+  facts.pipe_diameter = 0.05, facts.pipe_length = 0.8, facts.is_periodic = true, facts.diameter = 0.01;
+  const std::string text = encode_dump(snapshot, facts);
+  CHECK(text ==
+        "ITEM: TIMESTEP\n500\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff pp\n-0.025 0.025\n-0.025 0.025\n0 0.8\n"
+        "ITEM: ATOMS id type x y z vx vy vz omegax omegay omegaz radius\n"
+        "1 1 0.001 -0.002 0.1 1 2 3 4 5 6 0.005\n2 1 0 0 0.109 -1 0 1e-300 0 0 -0 0.005\n");
+}

@@ -1,0 +1,133 @@
+// The gas of the slice model in its textbook form: bed geometry, eqs. (33)-(38) by bisection, drag on a lone sphere.
+//
+// The pipe is cut into equal slices. In each, the bed fills a circular segment of the cross section and the rest is
+// free; the gas divides itself so that the pressure gradient through the bed (Ergun, eqs. 33-35) equals the one above
+// it (Blasius, eqs. 36, 37) and the two flows add up to the given one (eq. 38). Written independently of the kernel,
+// with the standard library's acos and pow; the whole flow grows with the velocity above the bed, so bisection for that
+// velocity, to the last bit, finds the division whatever the state. SI units, z along the pipe; the gradient is
+// positive when it pushes towards +z.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact_reference.hpp"
+
+namespace fixdem::reference {
+
+/// What the flow in a slice depends on.
+template <class Scalar>
+struct SliceBed {
+  int count = 0;        ///< bed particles
+  Scalar velocity = 0;  ///< V_s, their mean axial velocity
+  Scalar top = 0;       ///< h, height of the highest top of a bed particle above the bottom of the pipe
+};
+
+template <class Scalar>
+struct SliceFlow {
+  Scalar pressure_gradient = 0;
+  Scalar bed_area = 0;            ///< A_d
+  Scalar void_fraction = 1;       ///< eps
+  Scalar velocity_above = 0;      ///< U_a
+  Scalar velocity_in_bed = 0;     ///< U_d, superficial
+  Scalar force_per_particle = 0;  ///< eq. (32), along z
+  bool full = false;
+};
+
+/// Height at which the bed counts: a slice is full when no further particle fits above it.
+template <class Case, class Scalar>
+Scalar effective_height(Scalar h) {
+  const Scalar D = Case::pipe_diameter, d = Case::diameter;
+  h = std::min(h, D);
+  if (Case::gas_bed_height == BedHeight::strict) return h;
+  if (Case::gas_bed_height == BedHeight::hard) return D - h < d ? D : h;
+  return std::min(D, h + d * std::clamp((h - (D - 2 * d)) / d, Scalar(0), Scalar(1)));
+}
+
+/// Blasius, eqs. (36) and (37), for a velocity of either sign.
+template <class Case, class Scalar>
+Scalar free_gradient(Scalar U, Scalar D_h) {
+  if (U == 0) return 0;
+  const Scalar Re = std::abs(U) * D_h / Scalar(Case::gas_viscosity);
+  const Scalar lambda = Scalar(0.3164L) * std::pow(Re, Scalar(-0.25L));
+  return lambda / D_h * Scalar(Case::gas_density) * U * std::abs(U) / 2;
+}
+
+/// Ergun, eqs. (33)-(35), multiplied out so that w = 0 is no division by zero; w = U_d - V_s.
+template <class Case, class Scalar>
+Scalar bed_gradient(Scalar w, Scalar eps) {
+  const Scalar rho = Case::gas_density, nu = Case::gas_viscosity, d_g = Case::gas_bed_diameter;
+  const Scalar c = (1 - eps) / (eps * eps * eps);
+  return c * (150 * (1 - eps) * nu * rho / (d_g * d_g) * w + Scalar(1.75L) * rho / d_g * w * std::abs(w));
+}
+
+/// The velocity w >= 0 through the bed at a gradient >= 0: the root of the quadratic above, without cancellation.
+template <class Case, class Scalar>
+Scalar bed_velocity(Scalar gradient, Scalar eps) {
+  const Scalar rho = Case::gas_density, nu = Case::gas_viscosity, d_g = Case::gas_bed_diameter;
+  const Scalar c = (1 - eps) / (eps * eps * eps);
+  const Scalar a = c * Scalar(1.75L) * rho / d_g, b = c * 150 * (1 - eps) * nu * rho / (d_g * d_g);
+  return 2 * gradient / (b + std::sqrt(b * b + 4 * a * gradient));
+}
+
+/// The x in [0, upper] at which the increasing function f reaches `value`, to neighbouring numbers.
+template <class Scalar, class Function>
+Scalar bisection(Scalar upper, Scalar value, Function f) {
+  Scalar low = 0, high = upper;
+  for (int i = 0; i < 20000; ++i) {
+    const Scalar middle = low + (high - low) / 2;
+    if (middle <= low || middle >= high) break;
+    (f(middle) < value ? low : high) = middle;
+  }
+  return high;
+}
+
+template <class Case, class Scalar>
+SliceFlow<Scalar> slice_flow(const SliceBed<Scalar>& bed) {
+  const Scalar pi = std::acos(Scalar(-1));
+  const Scalar D = Case::pipe_diameter, R = D / 2, d = Case::diameter, U = Case::gas_velocity;
+  const Scalar dz = Scalar(Case::pipe_length) / Case::slice_count, A = pi * R * R, V_p = pi * d * d * d / 6;
+
+  SliceFlow<Scalar> flow;
+  if (bed.count == 0) {
+    flow.velocity_above = U;
+    flow.pressure_gradient = free_gradient<Case>(U, D);
+    return flow;
+  }
+  const Scalar h = effective_height<Case>(bed.top);
+  flow.full = D - h < Scalar(1e-6L) * D;
+  const Scalar half_angle = std::acos((R - h) / R), half_chord = std::sqrt(std::max(Scalar(0), 2 * R * h - h * h));
+  flow.bed_area = flow.full ? A : R * R * half_angle - (R - h) * half_chord;
+  flow.void_fraction = std::clamp(1 - bed.count * V_p / (flow.bed_area * dz), Scalar(0.35L), Scalar(0.95L));
+
+  if (flow.full) {
+    flow.velocity_in_bed = U;
+    flow.velocity_above = U;
+    flow.pressure_gradient = bed_gradient<Case>(U - bed.velocity, flow.void_fraction);
+  } else {
+    const Scalar A_d = flow.bed_area, A_a = A - A_d;
+    const Scalar D_h = 4 * A_a / (2 * R * (pi - half_angle) + 2 * half_chord);
+    const Scalar excess = A * U - A_d * bed.velocity;  // flow relative to a pipe whose bed rests
+    const Scalar sign = excess < 0 ? -1 : 1;
+    const auto through = [&](Scalar u) { return bed_velocity<Case>(free_gradient<Case>(u, D_h), flow.void_fraction); };
+    const Scalar above =
+        bisection(std::abs(excess) / A_a, std::abs(excess), [&](Scalar u) { return A_a * u + A_d * through(u); });
+    flow.pressure_gradient = sign * free_gradient<Case>(above, D_h);
+    flow.velocity_above = sign * above;
+    flow.velocity_in_bed = sign * through(above) + bed.velocity;
+  }
+  flow.force_per_particle = flow.pressure_gradient * dz * flow.bed_area / bed.count;
+  return flow;
+}
+
+/// Drag on a sphere that floats in gas of velocity u relative to it.
+template <class Case, class Scalar>
+Vector<Scalar> lone_sphere_drag(const Vector<Scalar>& u) {
+  const Scalar pi = std::acos(Scalar(-1)), d = Case::diameter, speed = u.norm();
+  if (speed == 0) return Vector<Scalar>::Zero();
+  const Scalar Re = speed * d / Scalar(Case::gas_viscosity);
+  const Scalar C_d = Re < 1000 ? 24 / Re * (1 + Scalar(0.15L) * std::pow(Re, Scalar(0.687L))) : Scalar(0.44L);
+  return C_d * pi * d * d / 8 * Scalar(Case::gas_density) * speed * u;
+}
+
+}  // namespace fixdem::reference

@@ -1,0 +1,296 @@
+// The reference: the whole model once more, as slowly and plainly as possible, to hold the kernel against.
+//
+// Written from the equations of Tsuji, Tanaka & Ishida (1992) and not from the kernel; the two share the constants of
+// a case and the names of its choices, nothing else. All pairs are visited every step (only a difference along the
+// pipe greater than a diameter is skipped early), contacts live in a map, forces are summed in the order they are
+// found. `Scalar` may be long double, to see what rounding does. The public functions are named as the kernel's, so
+// that a test can be written once for both. SI units; positions along z lie in [0, length) when the pipe is periodic.
+//
+// One step: floaters and gas (at their intervals), forces from current positions and velocities, then v, omega with
+// the force and x with the new v (eqs. 3-5). `leapfrog` holds positions half a step ahead of the velocities and damps
+// the normal motion at velocities predicted with the acceleration of the step before.
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <vector>
+
+#include "contact_reference.hpp"
+#include "gas_reference.hpp"
+
+namespace fixdem::reference {
+
+/// State of one sphere, or what a test places.
+struct Particle {
+  double position[3];
+  double velocity[3];
+  double angular_velocity[3];
+};
+
+/// A contact of the last force evaluation, seen from the owner (the lower number); partners below zero are walls.
+struct Contact {
+  int owner, partner;
+  double overlap;
+  double normal[3];
+  double normal_force;  ///< positive: repulsion
+  double tangential_force[3];
+  double history[3];
+};
+
+struct Energy {
+  double kinetic = 0, elastic = 0, dissipated_damping = 0, dissipated_sliding = 0, gravity_work = 0, gas_work = 0;
+};
+
+constexpr int pipe_wall = -1, lower_end = -2, upper_end = -3;  ///< partner numbers of the walls
+
+template <class Case, class Scalar = double>
+class Reference {
+ public:
+  using Vector3 = Vector<Scalar>;
+
+  void place(int id, const Particle& p) {
+    spheres_.resize(Case::particle_count);
+    Sphere& s = spheres_[id];
+    s = Sphere{};
+    s.x = from_array(p.position), s.v = from_array(p.velocity), s.omega = from_array(p.angular_velocity);
+  }
+
+  void start() {
+    contacts_.clear();
+    energy_ = {};
+    step_ = 0;
+    for (Sphere& s : spheres_) {
+      if (Case::integrator == Integrator::leapfrog) s.x += s.v * dt / 2;
+      wrap(s);
+    }
+  }
+
+  /// Hands over the history of a contact, seen from `owner`, before the first step.
+  void restore_history(int owner, int partner, const double h[3]) {
+    const bool swapped = partner >= 0 && partner < owner;
+    Memory<Scalar>& memory = contacts_[swapped ? Key{partner, owner} : Key{owner, partner}].memory;
+    memory.history = from_array(h) * Scalar(swapped ? -1 : 1);
+  }
+
+  void run(long long steps) {
+    for (; steps > 0; --steps) step_once();
+  }
+
+  long long step() const { return step_; }
+
+  Particle particle(int id) const {
+    Sphere s = spheres_[id];
+    if (Case::integrator == Integrator::leapfrog) s.x -= s.v * dt / 2;
+    wrap(s);
+    Particle p;
+    for (int k = 0; k < 3; ++k) {
+      p.position[k] = static_cast<double>(s.x[k]);
+      p.velocity[k] = static_cast<double>(s.v[k]);
+      p.angular_velocity[k] = static_cast<double>(s.omega[k]);
+    }
+    return p;
+  }
+
+  /// Visits the contacts of the last force evaluation.
+  template <class F>
+  void for_each_contact(F&& visit) const {
+    for (const auto& [key, contact] : contacts_) {
+      Contact c{};
+      c.owner = key.first, c.partner = key.second;
+      c.overlap = static_cast<double>(contact.overlap);
+      c.normal_force = static_cast<double>(-contact.force.normal_force);
+      for (int k = 0; k < 3; ++k) {
+        c.normal[k] = static_cast<double>(contact.n[k]);
+        c.tangential_force[k] = static_cast<double>(contact.force.tangential_force[k]);
+        c.history[k] = static_cast<double>(contact.memory.history[k]);
+      }
+      visit(c);
+    }
+  }
+
+  /// Kinetic energy now, elastic energy at the last force evaluation, the rest since the start.
+  Energy energy() const {
+    Energy e = energy_;
+    e.kinetic = e.elastic = 0;
+    for (const Sphere& s : spheres_) {
+      e.kinetic += static_cast<double>(sphere.mass * s.v.squaredNorm() / 2 +
+                                       sphere.moment_of_inertia * s.omega.squaredNorm() / 2);
+    }
+    for (const auto& [key, contact] : contacts_) e.elastic += static_cast<double>(contact.force.elastic_energy);
+    return e;
+  }
+
+  /// Flow in each slice at the last update of the gas.
+  const std::vector<SliceFlow<Scalar>>& slices() const { return slices_; }
+  bool floats(int id) const { return spheres_[id].floats; }
+
+ private:
+  using Key = std::pair<int, int>;
+
+  struct Sphere {
+    Vector3 x = Vector3::Zero(), v = Vector3::Zero(), omega = Vector3::Zero();
+    Vector3 force = Vector3::Zero(), torque = Vector3::Zero();  ///< of contacts, this step
+    Vector3 gas_force = Vector3::Zero();                        ///< held between updates of the gas
+    Vector3 acceleration = Vector3::Zero();                     ///< of the step before
+    bool floats = false;
+  };
+
+  struct Touching {
+    Memory<Scalar> memory;
+    ContactForce<Scalar> force;
+    Vector3 n = Vector3::Zero();
+    Scalar overlap = 0;
+    long long last_step = -1;
+  };
+
+  static Vector3 from_array(const double a[3]) { return {Scalar(a[0]), Scalar(a[1]), Scalar(a[2])}; }
+
+  static void wrap(Sphere& s) {
+    if (Case::ends != Ends::periodic) return;
+    if (s.x.z() < 0) s.x.z() += length;
+    if (s.x.z() >= length) s.x.z() -= length;
+  }
+
+  /// Difference of two places along the pipe, to the nearest image.
+  static Scalar axial_difference(Scalar to, Scalar from) {
+    const Scalar dz = to - from;
+    if (Case::ends != Ends::periodic) return dz;
+    return dz > length / 2 ? dz - length : dz < -length / 2 ? dz + length : dz;
+  }
+
+  /// Calls f(i, j, vector from i to j, distance) for every pair closer than `reach`.
+  template <class F>
+  void for_each_pair(Scalar reach, F f) {
+    for (int i = 0; i < Case::particle_count; ++i) {
+      for (int j = i + 1; j < Case::particle_count; ++j) {
+        const Vector3 &x_i = spheres_[i].x, &x_j = spheres_[j].x;
+        const Scalar dz = axial_difference(x_j.z(), x_i.z());
+        if (std::abs(dz) >= reach) continue;
+        const Vector3 between(x_j.x() - x_i.x(), x_j.y() - x_i.y(), dz);
+        const Scalar distance = between.norm();
+        if (distance < reach) f(i, j, between, distance);
+      }
+    }
+  }
+
+  Vector3 predicted_velocity(const Sphere& s) const {
+    return Case::integrator == Integrator::leapfrog ? Vector3(s.v + s.acceleration * dt / 2) : s.v;
+  }
+
+  ContactForce<Scalar> touch(Key key, const Coefficients<Scalar>& coefficients, Scalar overlap, const Vector3& n,
+                             const Vector3& relative_velocity, const Vector3& predicted, const Vector3& spin_sum) {
+    Touching& contact = contacts_[key];
+    const Encounter<Scalar> at{overlap, n, relative_velocity, predicted.dot(n), spin_sum};
+    contact.force = contact_force<Case>(coefficients, at, contact.memory);
+    contact.n = n, contact.overlap = overlap, contact.last_step = step_;
+    energy_.dissipated_damping += static_cast<double>(contact.force.damping_loss);
+    energy_.dissipated_sliding += static_cast<double>(contact.force.sliding_loss);
+    return contact.force;
+  }
+
+  void touch_wall(int i, int wall, Scalar overlap, const Vector3& n) {
+    if (!(overlap > 0)) return;
+    Sphere& s = spheres_[i];
+    const auto f = touch({i, wall}, at_wall, overlap, n, s.v, predicted_velocity(s), s.omega);
+    s.force += f.normal_force * n + f.tangential_force;
+    s.torque += f.torque;
+  }
+
+  void contact_forces() {
+    for (Sphere& s : spheres_) s.force = s.torque = Vector3::Zero();
+    for_each_pair(2 * sphere.radius, [this](int i, int j, const Vector3& between, Scalar distance) {
+      Sphere &a = spheres_[i], &b = spheres_[j];
+      const Vector3 n = between / distance;
+      const auto f = touch({i, j}, between_spheres, 2 * sphere.radius - distance, n, a.v - b.v,
+                           predicted_velocity(a) - predicted_velocity(b), a.omega + b.omega);
+      const Vector3 force = f.normal_force * n + f.tangential_force;  // eq. (13)
+      a.force += force, b.force -= force;
+      a.torque += f.torque, b.torque += f.torque;
+    });
+    for (int i = 0; i < Case::particle_count; ++i) {
+      const Vector3 x = spheres_[i].x;
+      if (Case::has_wall) {
+        const Scalar q = std::sqrt(x.x() * x.x() + x.y() * x.y());
+        const Scalar overlap = q - (Scalar(Case::pipe_diameter) / 2 - sphere.radius);
+        if (overlap > 0) touch_wall(i, pipe_wall, overlap, Vector3(x.x() / q, x.y() / q, 0));
+      }
+      if (Case::ends == Ends::closed) {
+        touch_wall(i, lower_end, sphere.radius - x.z(), Vector3(0, 0, -1));
+        touch_wall(i, upper_end, x.z() - (length - sphere.radius), Vector3(0, 0, 1));
+      }
+    }
+    std::erase_if(contacts_, [this](const auto& entry) { return entry.second.last_step != step_; });
+  }
+
+  /// A sphere floats when no other centre is within 1.1 d and it does not touch the lower half of the wall.
+  void tell_floaters() {
+    for (Sphere& s : spheres_) {
+      const Scalar q = std::sqrt(s.x.x() * s.x.x() + s.x.y() * s.x.y());
+      s.floats = !(q > Scalar(Case::pipe_diameter) / 2 - sphere.radius && s.x.y() < 0);
+    }
+    for_each_pair(Scalar(1.1L) * 2 * sphere.radius,
+                  [this](int i, int j, const Vector3&, Scalar) { spheres_[i].floats = spheres_[j].floats = false; });
+  }
+
+  int slice_of(const Sphere& s) const {
+    const int slice = static_cast<int>(std::floor(s.x.z() / (length / Case::slice_count)));
+    return std::clamp(slice, 0, Case::slice_count - 1);
+  }
+
+  void update_gas() {
+    std::vector<SliceBed<Scalar>> beds(Case::slice_count);
+    for (const Sphere& s : spheres_) {
+      if (s.floats) continue;
+      SliceBed<Scalar>& bed = beds[slice_of(s)];
+      bed.count += 1;
+      bed.velocity += s.v.z();
+      bed.top = std::max(bed.top, s.x.y() + Scalar(Case::pipe_diameter) / 2 + sphere.radius);
+    }
+    slices_.clear();
+    for (SliceBed<Scalar>& bed : beds) {
+      if (bed.count > 0) bed.velocity /= bed.count;
+      slices_.push_back(slice_flow<Case>(bed));
+    }
+    for (Sphere& s : spheres_) {
+      const SliceFlow<Scalar>& flow = slices_[slice_of(s)];
+      s.gas_force = Vector3(0, 0, flow.force_per_particle);
+      if (s.floats) s.gas_force = lone_sphere_drag<Case, Scalar>(Vector3(0, 0, flow.velocity_above) - s.v);
+    }
+  }
+
+  void move() {
+    const Vector3 g = from_array(Case::gravity);
+    for (Sphere& s : spheres_) {
+      s.acceleration = (s.force + s.gas_force) / sphere.mass + g;  // eq. (1)
+      s.v += s.acceleration * dt;                                  // eq. (3)
+      s.omega += s.torque / sphere.moment_of_inertia * dt;         // eqs. (2), (5)
+      const Vector3 path = s.v * dt;
+      s.x += path;  // eq. (4)
+      wrap(s);
+      energy_.gravity_work += static_cast<double>(sphere.mass * g.dot(path));
+      energy_.gas_work += static_cast<double>(s.gas_force.dot(path));
+    }
+  }
+
+  void step_once() {
+    if (Case::has_gas && step_ % Case::gas_floater_interval == 0) tell_floaters();
+    if (Case::has_gas && step_ % Case::gas_update_interval == 0) update_gas();
+    contact_forces();
+    move();
+    ++step_;
+  }
+
+  static inline const Scalar dt = Case::time_step;
+  static inline const Scalar length = Case::pipe_length;
+  static inline const SphereProperties<Scalar> sphere = sphere_properties<Case, Scalar>();
+  static inline const Coefficients<Scalar> between_spheres = pair_coefficients<Case, Scalar>();
+  static inline const Coefficients<Scalar> at_wall = wall_coefficients<Case, Scalar>();
+
+  std::vector<Sphere> spheres_;
+  std::map<Key, Touching> contacts_;
+  std::vector<SliceFlow<Scalar>> slices_;
+  Energy energy_;
+  long long step_ = 0;
+};
+
+}  // namespace fixdem::reference

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Runs the test program, one process per source file and as many at a time as there are cores, and the files that must
+# not compile; ends with one line, `N passed, M failed`. The output of a source file is shown when something in it fails.
+#
+# Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
+set -euo pipefail
+
+build=$1
+shift
+export build
+cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+reports=$build/test-reports
+rm -rf "$reports"
+mkdir -p "$reports"
+export reports
+
+# One source file: its test cases counted from doctest's own summary; a crash counts as one failure.
+run_file() {
+  local name=$1 report=$reports/$1.txt started=$SECONDS code=0 passed failed
+  "$build/tests" --source-file="*/$name.cpp,$name.cpp" --no-intro --no-path-filenames >"$report" 2>&1 || code=$?
+  read -r passed failed < <(sed -n 's/^\[doctest\] test cases: *[0-9]* | *\([0-9]*\) passed | *\([0-9]*\) failed.*/\1 \2/p' "$report") ||
+    { passed=0 failed=1 && echo "no summary: the test program ended with code $code" >>"$report"; }
+  if ((code != 0 && failed == 0)); then failed=1; fi
+  if ((failed > 0)); then cat "$report"; fi
+  printf 'tests/%-28s %3d passed, %d failed (%d s)\n' "$name.cpp" "$passed" "$failed" $((SECONDS - started))
+  echo "$passed $failed" >"$reports/$name.count"
+}
+export -f run_file
+
+grep -lE '^ *(TEST_CASE|TEST_SUITE|SCENARIO)' tests/*.cpp | xargs -n 1 basename | sed 's/\.cpp$//' |
+  xargs -P "$cores" -I '{}' bash -c 'run_file {}'
+tests/compile_fail/run.sh "$reports/compile_fail.count" "$@" || true
+
+cat "$reports"/*.count | awk '{ passed += $1; failed += $2 } END { print passed + 0 " passed, " failed + 0 " failed"; exit passed == 0 || failed > 0 }'

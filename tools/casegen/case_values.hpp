@@ -1,0 +1,86 @@
+// What a case file says, as plain data.
+//
+// The reader fills one `CaseValues` from a TOML file; the member initialisers are the defaults of the case format and
+// the only place where they are written (the table of keys in cases/README.md prints them from here). Defaults that
+// follow from other keys (the wall's material, slice lengths, intervals) are filled in by `complete`. SI units.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fixdem::casegen {
+
+using Vector3 = std::array<double, 3>;
+
+/// One entry of `[[start.particle]]`.
+struct PlacedParticle {
+  Vector3 position{};          // m
+  Vector3 velocity{};          // m/s
+  Vector3 angular_velocity{};  // rad/s
+};
+
+struct CaseValues {
+  std::string title;
+
+  std::int64_t count = 0;
+  double diameter = 0;  // m
+  double density = 0;   // kg/m3
+
+  double youngs_modulus = 0;  // Pa; 0 with the linear law, which does not use it
+  double poisson_ratio = 0;
+  double restitution = 0;
+  double friction = 0;
+  double wall_youngs_modulus = 0;  // Pa; infinity is a rigid wall
+  double wall_poisson_ratio = 0;
+
+  std::string normal = "hertz";
+  std::string tangential = "displacement";
+  std::string slider = "clip";
+  std::string damping_mass = "reduced";
+  std::string damping = "restitution";
+  double normal_stiffness = 0;      // N/m; 0 with Hertz
+  double tangential_stiffness = 0;  // N/m; 0 with Hertz
+
+  double pipe_diameter = 0;  // m
+  double pipe_length = 0;    // m
+  std::string ends;
+  bool wall = true;
+
+  bool has_gas = false;
+  double gas_velocity = 0;      // m/s, superficial
+  double gas_density = 0;       // kg/m3
+  double gas_viscosity = 0;     // m2/s, kinematic
+  double gas_bed_diameter = 0;  // m
+  std::int64_t gas_update_interval = 1;
+  std::int64_t gas_floater_interval = 25;
+  std::string gas_bed_height = "continuous";
+  double gas_slice_length = 0;  // m
+  std::int64_t slice_count = 1;
+
+  std::string arrangement;  // "random", or empty
+  std::int64_t seed = 1;
+  double start_velocity = 0;  // m/s
+  std::string start_from;     // name of another case, or empty
+  std::string start_motion = "stop";
+  std::vector<PlacedParticle> placed;
+
+  double time_step = 0;  // s
+  double duration = 0;   // s
+  std::string integrator = "euler";
+  std::string precision = "double";
+  Vector3 gravity{0, -9.81, 0};  // m/s2
+  double reference_speed = 0;    // m/s
+  double max_overlap = 0.5;      // in particle radii
+
+  std::int64_t neighbour_capacity = 14;
+
+  double log_interval = 0;        // s
+  double frame_interval = 0;      // s; 0: no frames
+  double sample_interval = 0.01;  // s
+  bool dump = false;
+  bool energy_ledger = true;
+};
+
+}  // namespace fixdem::casegen

@@ -1,0 +1,42 @@
+// Defaults that follow from other keys.
+//
+// slice_count is the nearest whole number of pipe length / slice length, at least 1 (without gas the slices only
+// measure solids fractions and are one diameter long). The reference speed is the greatest of the start velocities,
+// the gas velocity and the speed of a fall through the pipe's diameter, sqrt(2 g D).
+#include <algorithm>
+#include <cmath>
+
+#include "checks.hpp"
+
+namespace fixdem::casegen {
+namespace {
+
+double length_of(const Vector3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+double expected_speed(const CaseValues& v) {
+  double speed = std::sqrt(2 * length_of(v.gravity) * v.pipe_diameter);
+  speed = std::max(speed, std::sqrt(3.0) * v.start_velocity);  // per component
+  speed = std::max(speed, std::abs(v.gas_velocity));
+  for (const auto& particle : v.placed) speed = std::max(speed, length_of(particle.velocity));
+  return speed;
+}
+
+}  // namespace
+
+void complete(Reading& reading) {
+  CaseValues& v = reading.values;
+  if (v.normal == "hertz") {
+    if (!reading.has("material.wall_youngs_modulus")) v.wall_youngs_modulus = v.youngs_modulus;
+    if (!reading.has("material.wall_poisson_ratio")) v.wall_poisson_ratio = v.poisson_ratio;
+  }
+  if (v.has_gas && !reading.has("gas.bed_diameter")) v.gas_bed_diameter = v.diameter;
+  if (!reading.has("gas.slice_length")) v.gas_slice_length = v.diameter;
+  if (v.gas_slice_length > 0) {
+    const double slices = std::clamp(std::round(v.pipe_length / v.gas_slice_length), 1.0, 1e9);
+    v.slice_count = static_cast<std::int64_t>(slices);
+  }
+  if (!reading.has("run.reference_speed")) v.reference_speed = expected_speed(v);
+  if (!reading.has("output.log_interval")) v.log_interval = v.duration / 50;
+}
+
+}  // namespace fixdem::casegen

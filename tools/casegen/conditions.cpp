@@ -1,0 +1,131 @@
+// Keys that need or exclude one another.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "checks.hpp"
+#include "schema.hpp"
+
+namespace fixdem::casegen {
+namespace {
+
+std::string full_name(const Key& key) { return key.table + "." + key.name; }
+
+/// Keys that belong to one of the two normal laws or to one way to start: missing where needed, refused elsewhere.
+void check_applicable_keys(Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  const bool law_known = reading.usable({"contact.normal"});
+  const bool start_known = reading.usable({"start.arrangement", "start.from"}) && reading.tables.contains("start");
+  for (const auto& key : case_keys()) {
+    bool applies = true;
+    switch (key.when) {
+      case When::always:
+        continue;
+      case When::hertz:
+        applies = v.normal == "hertz";
+        break;
+      case When::linear:
+        applies = v.normal == "linear";
+        break;
+      case When::random:
+        applies = reading.has("start.arrangement");
+        break;
+      case When::from:
+        applies = reading.has("start.from");
+        break;
+    }
+    const bool is_law = key.when == When::hertz || key.when == When::linear;
+    if (is_law ? !law_known : !start_known) continue;
+    const std::string name = full_name(key);
+    if (reading.has(name) && !applies) {
+      report.error(reading.given[name].key,
+                   fmt::format("{} is not used here; allowed: only with {}", reading.quote(name), describe(key.when)),
+                   fmt::format("remove '{}', which would do nothing, or choose {}", key.name, describe(key.when)));
+      reading.unusable.insert(name);
+    } else if (!reading.has(name) && applies && key.required && !reading.unusable.contains(name)) {
+      if (key.table != "contact" && !reading.tables.contains(key.table)) continue;  // the table itself is missing
+      report.error(reading.place(name),
+                   fmt::format("missing key '{}' in {}, needed with {}: {}", key.name, table_title(key.table),
+                               describe(key.when), key.meaning),
+                   key.advice);
+      reading.unusable.insert(name);
+    }
+  }
+}
+
+void check_start(Reading& reading, Report& report) {
+  if (!reading.tables.contains("start")) return;
+  std::vector<std::string> found;
+  for (const char* key : {"start.arrangement", "start.from"})
+    if (reading.has(key)) found.push_back(reading.quote(key));
+  if (reading.tables.contains("start.particle")) found.push_back("[[start.particle]]");
+  const std::string advice = "keep one of arrangement = \"random\", from = \"another case\" and [[start.particle]]";
+  if (found.empty() && reading.usable({"start.particle"}))
+    report.error(reading.tables["start"],
+                 "[start] does not say where the particles come from; allowed: exactly one way", advice);
+  if (found.size() > 1)
+    report.error(reading.tables["start"],
+                 fmt::format("[start] has {} together with {}; allowed: exactly one way", found[0], found[1]), advice);
+
+  const std::string& from = reading.values.start_from;
+  const bool plain = std::all_of(from.begin(), from.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+  if (!plain) {
+    report.error(reading.place("start.from"),
+                 fmt::format("{} is no name of a case; allowed: letters, digits, _ and -", reading.quote("start.from")),
+                 find_key("start", "from")->advice);
+    reading.unusable.insert("start.from");
+  }
+
+  const auto count = static_cast<std::int64_t>(reading.values.placed.size());
+  const bool counts =
+      reading.tables.contains("start.particle") && reading.usable({"particles.count", "start.particle"});
+  if (counts && count != reading.values.count)
+    report.error(reading.place("particles.count"),
+                 fmt::format("{}, but [[start.particle]] places {}; allowed: as many as are placed",
+                             reading.quote("particles.count"), count),
+                 fmt::format("set count = {}, or place {} particles", count, reading.values.count));
+}
+
+void check_law_and_gas(const Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  if (v.damping == "critical" && v.normal == "hertz" && reading.usable({"contact.normal"}))
+    report.error(reading.place("contact.damping"),
+                 "[contact] damping = \"critical\" with normal = \"hertz\"; allowed: \"restitution\"",
+                 "use damping = \"restitution\", or normal = \"linear\" with given stiffnesses");
+  if (v.has_gas && !v.wall && reading.usable({"pipe.wall"}))
+    report.error(reading.place("pipe.wall"), "[pipe] wall = false with a [gas] table; allowed: true",
+                 "the gas model needs the pipe wall: set wall = true, or remove [gas]");
+}
+
+void check_times(const Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  if (!reading.usable({"run.time_step", "run.duration"})) return;
+  if (v.duration < v.time_step)
+    report.error(reading.place("run.duration"),
+                 fmt::format("{} is shorter than one step; allowed: at least time_step = {}",
+                             reading.quote("run.duration"), v.time_step),
+                 "raise duration or lower time_step");
+  const std::pair<const char*, double> intervals[] = {{"output.log_interval", v.log_interval},
+                                                      {"output.frame_interval", v.frame_interval},
+                                                      {"output.sample_interval", v.sample_interval}};
+  for (const auto& [name, interval] : intervals)
+    if (reading.has(name) && reading.usable({name}) && interval > 0 && interval < v.time_step)
+      report.error(reading.place(name),
+                   fmt::format("{} is shorter than one step; allowed: at least time_step = {}", reading.quote(name),
+                               v.time_step),
+                   "raise the interval or lower time_step");
+}
+
+}  // namespace
+
+void check_conditions(Reading& reading, Report& report) {
+  check_applicable_keys(reading, report);
+  check_start(reading, report);
+  check_law_and_gas(reading, report);
+  check_times(reading, report);
+}
+
+}  // namespace fixdem::casegen

@@ -1,0 +1,133 @@
+// Whether the particles fit: pipe, slices, solids fraction, placed particles.
+//
+// The limits are 0.60 of the pipe's volume for any start (random close packing is 0.64, less near walls) and 0.45 for a
+// random arrangement; a denser start is the final state of a case that fills the pipe. Placed particles may overlap
+// one another and the walls by at most `max_overlap` radii, the limit at which a run stops. Lengths in metres.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "checks.hpp"
+
+namespace fixdem::casegen {
+namespace {
+
+constexpr double densest = 0.60, densest_random = 0.45;
+constexpr double longest_pipe = 1e6;  // in particle diameters, one slice each
+
+void check_pipe(const Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  if (!reading.usable({"particles.diameter", "pipe.diameter", "pipe.length", "pipe.ends"})) return;
+  if (v.diameter >= v.pipe_diameter)
+    report.error(reading.place("particles.diameter"),
+                 fmt::format("{} is wider than the pipe; allowed: below [pipe] diameter = {}",
+                             reading.quote("particles.diameter"), v.pipe_diameter),
+                 "lower [particles] diameter or raise [pipe] diameter");
+  const double shortest = (v.ends == "periodic" ? 4 : 2) * v.diameter;
+  if (v.pipe_length < shortest) {
+    report.error(reading.place("pipe.length"),
+                 fmt::format("{} is too short; allowed with ends = \"{}\": at least {} particle diameters = {:.6g}",
+                             reading.quote("pipe.length"), v.ends, v.ends == "periodic" ? 4 : 2, shortest),
+                 "raise [pipe] length or lower [particles] diameter");
+    return;
+  }
+  if (v.pipe_length > longest_pipe * v.diameter)
+    report.error(reading.place("pipe.length"),
+                 fmt::format("{} is too long; allowed: at most {:.0e} particle diameters = {:.6g}",
+                             reading.quote("pipe.length"), longest_pipe, longest_pipe * v.diameter),
+                 "every diameter of the pipe is a slice with arrays of its own: lower [pipe] length");
+  if (!v.has_gas || !reading.usable({"gas.slice_length"})) return;
+  if (v.gas_slice_length < v.diameter || v.gas_slice_length > v.pipe_length / 4)
+    report.error(reading.place("gas.slice_length"),
+                 fmt::format("{}: slices of {:.6g} m; allowed: from one particle diameter = {:.6g} to a quarter of the "
+                             "pipe = {:.6g}",
+                             reading.quote("gas.slice_length"), v.gas_slice_length, v.diameter, v.pipe_length / 4),
+                 "leave slice_length out for one diameter; the gas needs at least four slices");
+}
+
+void check_solids_fraction(const Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  if (!reading.usable({"particles.count", "particles.diameter", "pipe.diameter", "pipe.length"})) return;
+  if (v.diameter >= v.pipe_diameter) return;  // reported already
+  const double particle = std::numbers::pi / 6 * std::pow(v.diameter, 3);
+  const double pipe = std::numbers::pi / 4 * v.pipe_diameter * v.pipe_diameter * v.pipe_length;
+  const double fraction = static_cast<double>(v.count) * particle / pipe;
+  const auto fitting = [&](double limit) {  // rounding must not turn a whole number away
+    return static_cast<std::int64_t>(limit * pipe / particle * (1 + 1e-12));
+  };
+  if (v.count > fitting(densest))
+    report.error(reading.place("particles.count"),
+                 fmt::format("{}: they would fill {:.3f} of the pipe; allowed: at most {:.2f}, that is {} particles",
+                             reading.quote("particles.count"), fraction, densest, fitting(densest)),
+                 "lower count or raise [pipe] length or diameter");
+  else if (v.arrangement == "random" && v.count > fitting(densest_random))
+    report.error(
+        reading.place("start.arrangement"),
+        fmt::format("{} of count = {} fills {:.3f} of the pipe; allowed: at most {:.2f}, that is {} particles",
+                    reading.quote("start.arrangement"), v.count, fraction, densest_random, fitting(densest_random)),
+        "let them settle in a longer pipe first (as fill_1000.toml does) and start with from = \"that case\"");
+}
+
+/// Overlap of a placed particle with the pipe and its ends, in metres; the greatest of the three.
+double wall_overlap(const CaseValues& v, const Vector3& x) {
+  const double radius = v.diameter / 2;
+  double overlap = -v.pipe_diameter;
+  if (v.wall) overlap = std::hypot(x[0], x[1]) - (v.pipe_diameter / 2 - radius);
+  if (v.ends == "closed") overlap = std::max({overlap, radius - x[2], x[2] - (v.pipe_length - radius)});
+  return overlap;
+}
+
+double distance(const CaseValues& v, const Vector3& a, const Vector3& b) {
+  double along = std::abs(a[2] - b[2]);
+  if (v.ends == "periodic") along = std::min(along, v.pipe_length - along);
+  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + along * along);
+}
+
+std::string entry(std::size_t index, const char* key) { return fmt::format("start.particle.{}.{}", index, key); }
+
+void check_placed(const Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  if (!reading.usable({"particles.diameter", "pipe.diameter", "pipe.length", "pipe.ends", "run.max_overlap"})) return;
+  const double limit = v.max_overlap * v.diameter / 2;
+  std::vector<std::size_t> inside;
+  for (std::size_t i = 0; i < v.placed.size(); ++i) {
+    const PlacedParticle& particle = v.placed[i];
+    const std::string spin = entry(i, "angular_velocity"), position = entry(i, "position");
+    if (v.friction == 0 && reading.usable({"material.friction"}) && particle.angular_velocity != Vector3{})
+      report.error(reading.place(spin), fmt::format("{} with friction = 0; allowed: [0, 0, 0]", reading.quote(spin)),
+                   "without friction particles do not rotate: remove it, or raise [material] friction");
+    if (!reading.usable({position})) continue;
+    const double overlap = wall_overlap(v, particle.position);
+    if (particle.position[2] < 0 || particle.position[2] > v.pipe_length || overlap > limit)
+      report.error(reading.place(position),
+                   fmt::format("{} (particle {}) is outside the pipe; allowed: z from 0 to {:.6g}, overlap with the "
+                               "walls at most {:.6g}",
+                               reading.quote(position), i, v.pipe_length, limit),
+                   fmt::format("the centre must stay within {:.6g} m of the axis x = y = 0{}",
+                               (v.pipe_diameter - v.diameter) / 2,
+                               v.ends == "closed" ? ", and a radius away from the ends" : ""));
+    else
+      inside.push_back(i);
+  }
+  for (auto a = inside.begin(); a != inside.end(); ++a)
+    for (auto b = inside.begin(); b != a; ++b) {
+      const double overlap = v.diameter - distance(v, v.placed[*a].position, v.placed[*b].position);
+      if (overlap <= limit) continue;
+      report.error(reading.place(entry(*a, "position")),
+                   fmt::format("{} (particle {}) overlaps particle {} by {:.6g} m; allowed: at most {:.6g}",
+                               reading.quote(entry(*a, "position")), *a, *b, overlap, limit),
+                   "move one of them: centres a diameter apart just touch");
+    }
+}
+
+}  // namespace
+
+void check_geometry(const Reading& reading, Report& report) {
+  check_pipe(reading, report);
+  check_solids_fraction(reading, report);
+  check_placed(reading, report);
+}
+
+}  // namespace fixdem::casegen

@@ -1,0 +1,194 @@
+// Writes a case as a C++ struct that the kernel takes as template argument (kernel/case.hpp says what it must have).
+//
+// Floating-point numbers are hexadecimal, so that they read back bit for bit, with the shortest decimal form beside
+// them. The text depends on the case file's bytes and its name alone: no date, no path of the machine.
+#include "header_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+namespace fixdem::casegen {
+namespace {
+
+std::string exact(double value) { return std::isinf(value) ? "__builtin_inf()" : fmt::format("{:a}", value); }
+
+std::string exact(const Vector3& v) { return fmt::format("{{{}, {}, {}}}", exact(v[0]), exact(v[1]), exact(v[2])); }
+
+/// A C++ string literal; UTF-8 passes through, control characters become octal escapes.
+std::string literal(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      result += fmt::format("\\{}", c);
+    else if (static_cast<unsigned char>(c) < 32 || c == 127)
+      result += fmt::format("\\{:03o}", static_cast<unsigned>(c));
+    else
+      result += c;
+  }
+  return result + '"';
+}
+
+/// For comments: a backslash or a line break in a path would change the meaning of the next line.
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 32 || c == '\\'; }, '?');
+  return text;
+}
+
+/// Collects lines of the form `static constexpr type name = value;  // comment`.
+class Members {
+ public:
+  void real(const char* name, double value, const char* unit) {
+    add("double", name, exact(value), fmt::format("{}{}{}", value, *unit != '\0' ? " " : "", unit));
+  }
+  void vector(const char* name, const Vector3& v, const char* unit) {
+    add("double", fmt::format("{}[3]", name), exact(v), fmt::format("{}, {}, {} {}", v[0], v[1], v[2], unit));
+  }
+  void whole(const char* name, std::int64_t value) { add("int", name, fmt::format("{}", value), ""); }
+  void flag(const char* name, bool value) { add("bool", name, value ? "true" : "false", ""); }
+  void text(const char* name, const std::string& value) { add("const char*", name, literal(value), ""); }
+  void choice(const char* type, const char* name, const std::string& value) {
+    add(type, name, fmt::format("{}::{}", type, value), "");
+  }
+  void add(const char* type, const std::string& name, const std::string& value, const std::string& comment) {
+    fmt::format_to(std::back_inserter(text_), "  static constexpr {} {} = {};{}{}\n", type, name, value,
+                   comment.empty() ? "" : "  // ", comment);
+  }
+  void heading(const char* words) { fmt::format_to(std::back_inserter(text_), "\n  // {}\n", words); }
+  const std::string& str() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void write_physics(Members& members, const CaseValues& v) {
+  members.heading("particles and material");
+  members.whole("particle_count", v.count);
+  members.real("diameter", v.diameter, "m");
+  members.real("density", v.density, "kg/m3");
+  members.real("youngs_modulus", v.youngs_modulus, "Pa");
+  members.real("poisson_ratio", v.poisson_ratio, "");
+  members.real("restitution", v.restitution, "");
+  members.real("friction", v.friction, "");
+  members.real("wall_youngs_modulus", v.wall_youngs_modulus, "Pa");
+  members.real("wall_poisson_ratio", v.wall_poisson_ratio, "");
+
+  members.heading("contact law");
+  members.choice("NormalLaw", "normal", v.normal);
+  members.choice("TangentialLaw", "tangential", v.tangential);
+  members.choice("Slider", "slider", v.slider);
+  members.choice("DampingMass", "damping_mass", v.damping_mass);
+  members.choice("Damping", "damping", v.damping);
+  members.real("normal_stiffness", v.normal_stiffness, "N/m");
+  members.real("tangential_stiffness", v.tangential_stiffness, "N/m");
+
+  members.heading("pipe");
+  members.real("pipe_diameter", v.pipe_diameter, "m");
+  members.real("pipe_length", v.pipe_length, "m");
+  members.choice("Ends", "ends", v.ends);
+  members.flag("has_wall", v.wall);
+
+  members.heading("gas");
+  members.flag("has_gas", v.has_gas);
+  members.real("gas_velocity", v.gas_velocity, "m/s, superficial");
+  members.real("gas_density", v.gas_density, "kg/m3");
+  members.real("gas_viscosity", v.gas_viscosity, "m2/s, kinematic");
+  members.real("gas_bed_diameter", v.gas_bed_diameter, "m");
+  members.whole("gas_update_interval", v.gas_update_interval);
+  members.whole("gas_floater_interval", v.has_gas ? v.gas_floater_interval : 1);
+  members.choice("BedHeight", "gas_bed_height", v.gas_bed_height);
+  members.whole("slice_count", v.slice_count);
+
+  members.heading("step");
+  members.vector("gravity", v.gravity, "m/s2");
+  members.real("time_step", v.time_step, "s");
+  members.choice("Integrator", "integrator", v.integrator);
+  members.choice("Precision", "precision", v.precision + "_precision");
+  members.real("max_overlap", v.max_overlap, "radii");
+  members.whole("neighbour_capacity", v.neighbour_capacity);
+  members.flag("energy_ledger", v.energy_ledger);
+}
+
+void write_program(Members& members, const CaseValues& v) {
+  members.heading("for the program only");
+  members.real("duration", v.duration, "s");
+  members.real("log_interval", v.log_interval, "s");
+  members.real("frame_interval", v.frame_interval, "s");
+  members.real("sample_interval", v.sample_interval, "s");
+  members.flag("dump", v.dump);
+  members.real("reference_speed", v.reference_speed, "m/s");
+  members.choice("StartKind", "start", !v.start_from.empty() ? "from" : v.placed.empty() ? "random" : "placed");
+  members.add("unsigned long long", "seed", fmt::format("{}ULL", v.seed), "");
+  members.real("start_velocity", v.start_velocity, "m/s, greatest component");
+  members.flag("start_keeps_motion", v.start_motion == "keep");
+  members.text("start_from", v.start_from);
+  members.whole("placed_count", static_cast<std::int64_t>(v.placed.size()));
+  std::string list;
+  for (const auto& particle : v.placed)
+    list += fmt::format("\n      {{{}, {}, {}}},", exact(particle.position), exact(particle.velocity),
+                        exact(particle.angular_velocity));
+  members.add("Placed", "placed[]", list.empty() ? "{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}" : "{" + list + "\n  }", "");
+}
+
+std::string write_members(const CaseValues& values, const Source& source) {
+  Members members;
+  members.text("name", source.name);
+  members.text("title", values.title.empty() ? source.name : values.title);
+  members.text("source", source.label);
+  members.add("unsigned long long", "source_hash", fmt::format("0x{:016x}ULL", source.hash), "XXH64 of the case file");
+  write_physics(members, values);
+  write_program(members, values);
+  return members.str();
+}
+
+/// Stems that cannot name a struct here: words of C++, and every word that appears inside the struct.
+bool is_reserved(const std::string& name) {
+  static const std::set<std::string> words = {
+      "alignas",     "alignof",   "and",        "and_eq",    "asm",      "auto",         "bitand",
+      "bitor",       "bool",      "break",      "case",      "catch",    "char",         "char8_t",
+      "char16_t",    "char32_t",  "class",      "compl",     "concept",  "const",        "consteval",
+      "constexpr",   "constinit", "const_cast", "continue",  "co_await", "co_return",    "co_yield",
+      "decltype",    "default",   "delete",     "do",        "double",   "dynamic_cast", "else",
+      "enum",        "explicit",  "export",     "extern",    "false",    "float",        "for",
+      "friend",      "goto",      "if",         "inline",    "int",      "long",         "mutable",
+      "namespace",   "new",       "noexcept",   "not",       "not_eq",   "nullptr",      "operator",
+      "or",          "or_eq",     "private",    "protected", "public",   "register",     "reinterpret_cast",
+      "requires",    "return",    "short",      "signed",    "sizeof",   "static",       "static_assert",
+      "static_cast", "struct",    "switch",     "template",  "this",     "thread_local", "throw",
+      "true",        "try",       "typedef",    "typeid",    "typename", "union",        "unsigned",
+      "using",       "virtual",   "void",       "volatile",  "wchar_t",  "while",        "xor",
+      "xor_eq",      "linux",     "unix",       "fixdem",    "cases"};
+  if (words.contains(name)) return true;
+  static const std::string members = write_members({}, {});
+  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (auto at = members.find(name); at != std::string::npos; at = members.find(name, at + 1))
+    if (!is_letter(members[at - 1]) && !is_letter(members[at + name.size()])) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string struct_name(const std::string& stem) {
+  std::string name;
+  for (const char c : stem) {
+    const bool allowed = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    name += allowed ? c : '_';
+  }
+  const bool bad_start = name.empty() || name.front() == '_' || (name.front() >= '0' && name.front() <= '9');
+  return bad_start || is_reserved(name) ? "case_" + name : name;
+}
+
+std::string write_header(const CaseValues& values, const Source& source) {
+  return fmt::format(
+      "// Generated from {0} (xxh64 {1:016x}); do not edit. `make header CASE={2}` prints it.\n"
+      "#pragma once\n\n#include \"kernel/case.hpp\"\n\nnamespace fixdem::cases {{\n\nstruct {3} {{\n{4}}};\n\n"
+      "}}  // namespace fixdem::cases\n",
+      one_line(source.label), source.hash, one_line(source.name), struct_name(source.name),
+      write_members(values, source));
+}
+
+}  // namespace fixdem::casegen

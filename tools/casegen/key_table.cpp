@@ -1,0 +1,48 @@
+// `casegen --keys`: the table of keys as Markdown, for cases/README.md.
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "schema.hpp"
+
+namespace fixdem::casegen {
+namespace {
+
+/// A vertical bar would end the cell.
+std::string cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
+  return result;
+}
+
+template <class Record>
+std::string row(const Rule<Record>& rule) {
+  std::string need = rule.required ? "required" : rule.default_value();
+  const std::string only = describe(rule.when);
+  if (!only.empty()) need += fmt::format("; only with {}", only);
+  return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", rule.name, rule.type(), rule.unit, cell(rule.allowed()),
+                     cell(need), cell(rule.meaning));
+}
+
+constexpr const char* heading = "| key | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n";
+
+}  // namespace
+
+std::string key_table_markdown() {
+  std::string text = "At the top of the file:\n\n";
+  text += heading;
+  for (const auto& rule : case_keys())
+    if (rule.table.empty()) text += row(rule);
+  for (const auto& table : tables()) {
+    const bool is_list = table.name == "start.particle";
+    fmt::format_to(std::back_inserter(text), "\n`{}{}{}`{}: {}\n\n{}", is_list ? "[[" : "[", table.name,
+                   is_list ? "]]" : "]", table.required ? "" : " (optional)", table.meaning, heading);
+    for (const auto& rule : case_keys())
+      if (rule.table == table.name) text += row(rule);
+    if (is_list)
+      for (const auto& rule : placed_keys()) text += row(rule);
+  }
+  return text;
+}
+
+}  // namespace fixdem::casegen

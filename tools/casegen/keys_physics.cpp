@@ -1,0 +1,121 @@
+// The rows of the case format that describe the scene: particles, material, contact law, pipe and gas.
+// One row per key, in the order in which the documentation prints them.
+#include "schema.hpp"
+
+namespace fixdem::casegen {
+
+std::vector<Rule<CaseValues>> physics_keys() {
+  using Values = CaseValues;
+  // Ten million particles would need some ten gigabytes of static arrays: a larger count is a slip of the keyboard.
+  constexpr Range particle_counts = between(1, 1e7);
+  // Intervals are counted in `int` steps.
+  constexpr Range step_intervals = between(1, 1e6);
+
+  return {
+      {{"", "title", "", false, When::always, "the file's name", "one line that says what the case shows",
+        "write a text in double quotes"},
+       Text{&Values::title}},
+
+      {{"particles", "count", "", true, When::always, "", "number of particles",
+        "Table 2 of the paper has count = 1000"},
+       Whole{&Values::count, particle_counts}},
+      {{"particles", "diameter", "m", true, When::always, "", "diameter; all particles are equal spheres",
+        "in metres: Table 2 of the paper has diameter = 0.010"},
+       Real{&Values::diameter, positive}},
+      {{"particles", "density", "kg/m3", true, When::always, "", "density of the particles' material",
+        "in kg/m3: Table 2 of the paper has density = 1000.0"},
+       Real{&Values::density, positive}},
+
+      {{"material", "youngs_modulus", "Pa", true, When::hertz, "", "Young's modulus of the particles",
+        "in pascal: Table 2 of the paper has youngs_modulus = 3.0e9; a lower one allows a greater time step"},
+       Real{&Values::youngs_modulus, positive}},
+      {{"material", "poisson_ratio", "", true, When::hertz, "", "Poisson's ratio of the particles",
+        "Table 2 of the paper has poisson_ratio = 0.33"},
+       Real{&Values::poisson_ratio, between(0, 0.5)}},
+      {{"material", "restitution", "", true, When::always, "", "rebound speed over impact speed, of every collision",
+        "1 is elastic; Table 2 of the paper has restitution = 0.9; 0 (no rebound) needs infinite damping"},
+       Real{&Values::restitution, Range{0, 1, false, true}}},
+      {{"material", "friction", "", true, When::always, "",
+        "Coulomb's coefficient; 0 leaves out friction and rotation altogether",
+        "Table 2 of the paper has friction = 0.3; 0 is frictionless"},
+       Real{&Values::friction, not_negative}},
+      {{"material", "wall_youngs_modulus", "Pa", false, When::hertz, "the particles' own",
+        "Young's modulus of pipe and ends; `inf` is a rigid wall",
+        "in pascal; inf is a rigid wall; leave it out for a wall of the particles' material"},
+       Real{&Values::wall_youngs_modulus, positive, true}},
+      {{"material", "wall_poisson_ratio", "", false, When::hertz, "the particles' own",
+        "Poisson's ratio of pipe and ends", "leave it out for a wall of the particles' material"},
+       Real{&Values::wall_poisson_ratio, between(0, 0.5)}},
+
+      {{"contact", "normal", "", false, When::always, "", "normal force: Hertz, or a linear spring of given stiffness",
+        "\"hertz\" is the paper's; \"linear\" needs normal_stiffness and tangential_stiffness"},
+       Choice{&Values::normal, {"hertz", "linear"}}},
+      {{"contact", "tangential", "", false, When::always, "",
+        "what the tangential spring remembers: its displacement, its force, or its force rescaled while unloading",
+        "\"displacement\" is the paper's; \"rescale\" never creates energy"},
+       Choice{&Values::tangential, {"displacement", "force", "rescale"}}},
+      {{"contact", "slider", "", false, When::always, "",
+        "Coulomb's limit: spring capped first, then the total; or the paper's eqs. (10)-(12) to the letter",
+        "\"clip\" converges with the time step; \"paper\" is the letter of eqs. (10)-(12)"},
+       Choice{&Values::slider, {"clip", "paper"}}},
+      {{"contact", "damping_mass", "", false, When::always, "",
+        "mass in eq. (26) between particles: the reduced mass gives the restitution asked for, the particle's is as "
+        "printed",
+        "\"reduced\" gives the restitution asked for"},
+       Choice{&Values::damping_mass, {"reduced", "particle"}}},
+      {{"contact", "damping", "", false, When::always, "",
+        "damping that returns the restitution, or critical (eq. 23; linear law only)",
+        "\"critical\" belongs to normal = \"linear\""},
+       Choice{&Values::damping, {"restitution", "critical"}}},
+      {{"contact", "normal_stiffness", "N/m", true, When::linear, "", "spring constant of the linear law",
+        "in N/m, for example 1.0e4: the greater, the smaller the time step must be"},
+       Real{&Values::normal_stiffness, positive}},
+      {{"contact", "tangential_stiffness", "N/m", true, When::linear, "",
+        "tangential spring constant of the linear law", "in N/m; between 2/7 and 1 of normal_stiffness is usual"},
+       Real{&Values::tangential_stiffness, positive}},
+
+      {{"pipe", "diameter", "m", true, When::always, "", "inner diameter of the pipe",
+        "in metres: Table 2 of the paper has a pipe of diameter = 0.050"},
+       Real{&Values::pipe_diameter, positive}},
+      {{"pipe", "length", "m", true, When::always, "", "length along z, from 0 to length",
+        "in metres: Table 2 of the paper has length = 0.800"},
+       Real{&Values::pipe_length, positive}},
+      {{"pipe", "ends", "", true, When::always, "",
+        "periodic: what leaves one end enters the other; closed: flat walls",
+        "\"periodic\" for flow along the pipe, \"closed\" for a vessel"},
+       Choice{&Values::ends, {"periodic", "closed"}}},
+      {{"pipe", "wall", "", false, When::always, "", "false: no pipe wall, particles may leave sideways",
+        "true or false, without quotes"},
+       Flag{&Values::wall}},
+
+      {{"gas", "bulk_velocity", "m/s", true, When::always, "", "superficial velocity U along +z",
+        "in m/s, of the empty pipe: Table 2 of the paper has 2.4 and 1.7"},
+       Real{&Values::gas_velocity, any}},
+      {{"gas", "density", "kg/m3", true, When::always, "", "density of the gas", "in kg/m3: air has density = 1.2"},
+       Real{&Values::gas_density, positive}},
+      {{"gas", "kinematic_viscosity", "m2/s", true, When::always, "", "kinematic viscosity of the gas",
+        "in m2/s: air has kinematic_viscosity = 1.5e-5"},
+       Real{&Values::gas_viscosity, positive}},
+      {{"gas", "bed_diameter", "m", false, When::always, "[particles] diameter",
+        "diameter in the Ergun equation, eqs. (33) and (35)",
+        "in metres: the paper's modification has bed_diameter = 0.003"},
+       Real{&Values::gas_bed_diameter, positive}},
+      {{"gas", "update_interval", "steps", false, When::always, "", "steps from one solution of the gas to the next",
+        "a number of steps: 1 is every step, 5 changes no result of the plugs"},
+       Whole{&Values::gas_update_interval, step_intervals}},
+      {{"gas", "floater_interval", "steps", false, When::always, "",
+        "steps from one search for floating particles to the next", "a number of steps: the default is 25"},
+       Whole{&Values::gas_floater_interval, step_intervals}},
+      {{"gas", "bed_height", "", false, When::always, "",
+        "when a slice counts as full of particles: gradually, at once, or only when it is",
+        "\"continuous\" and \"hard\" carry plugs; with \"strict\" the gas leaks over every plug"},
+       Choice{&Values::gas_bed_height, {"continuous", "hard", "strict"}}},
+      {{"gas", "slice_length", "m", false, When::always, "[particles] diameter",
+        "length of a slice of the gas, from one particle diameter to a quarter of the pipe; the nearest whole number "
+        "of equal slices is used",
+        "from one particle diameter to a quarter of the pipe; leave it out for one diameter"},
+       Real{&Values::gas_slice_length, positive}},
+  };
+}
+
+}  // namespace fixdem::casegen

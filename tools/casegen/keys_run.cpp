@@ -1,0 +1,92 @@
+// The rows of the case format that describe the run: start, time, capacity and output.
+// One row per key, in the order in which the documentation prints them.
+#include "schema.hpp"
+
+namespace fixdem::casegen {
+
+std::vector<Rule<CaseValues>> run_keys() {
+  using Values = CaseValues;
+  return {
+      {{"start", "arrangement", "", false, When::always, "", "particles placed at random without overlap",
+        "the only arrangement is \"random\""},
+       Choice{&Values::arrangement, {"random"}}},
+      {{"start", "seed", "", false, When::random, "", "number that the random arrangement follows from",
+        "any whole number from 0 on: another number is another arrangement"},
+       Whole{&Values::seed, not_negative}},
+      {{"start", "velocity", "m/s", false, When::random, "",
+        "each velocity component is uniform between minus and plus this",
+        "in m/s: Table 1 of the paper has velocity = 0.5; 0 is at rest"},
+       Real{&Values::start_velocity, not_negative}},
+      {{"start", "from", "", false, When::always, "",
+        "name of the case (in the same folder) whose final state this one starts from",
+        "the name of a case file in the same folder, without .toml, for example from = \"fill_1000\""},
+       Text{&Values::start_from}},
+      {{"start", "motion", "", false, When::from, "",
+        "stop: all velocities and contact histories are zero at the start; keep: they are carried over",
+        "\"stop\" starts at rest, \"keep\" carries on"},
+       Choice{&Values::start_motion, {"stop", "keep"}}},
+
+      {{"run", "time_step", "s", true, When::always, "", "time step",
+        "in seconds: the paper's scenes run at 2.0e-6; casegen prints how that compares with the contact time"},
+       Real{&Values::time_step, positive}},
+      {{"run", "duration", "s", true, When::always, "", "time to simulate",
+        "in seconds: the paper's plugs run for 1.2"},
+       Real{&Values::duration, positive}},
+      {{"run", "integrator", "", false, When::always, "", "semi-implicit Euler (the paper's), or leapfrog",
+        "\"euler\" is the paper's"},
+       Choice{&Values::integrator, {"euler", "leapfrog"}}},
+      {{"run", "precision", "", false, When::always, "", "arithmetic of the whole step",
+        "only \"double\" exists so far"},
+       Choice{&Values::precision, {"double"}}},
+      {{"run", "gravity", "m/s2", false, When::always, "", "acceleration of gravity; y is up, z along the pipe",
+        "three numbers, for example gravity = [0, -9.81, 0]"},
+       Vector{&Values::gravity}},
+      {{"run", "reference_speed", "m/s", false, When::always,
+        "greatest of start velocities, gas velocity and sqrt(2 g D)",
+        "impact speed that the advice on the time step is given for",
+        "in m/s: the greatest impact speed to be expected"},
+       Real{&Values::reference_speed, positive}},
+      {{"run", "max_overlap", "radii", false, When::always, "", "a greater overlap stops the run",
+        "a fraction of the radius: the default is 0.5"},
+       Real{&Values::max_overlap, Range{0, 1, false, false}}},
+
+      {{"capacity", "neighbours", "", false, When::always, "",
+        "room for near pairs of one particle; the run stops when it is not enough",
+        "twelve equal spheres can touch one; the default is 14"},
+       Whole{&Values::neighbour_capacity, between(2, 30)}},
+
+      {{"output", "log_interval", "s", false, When::always, "duration / 50", "time between rows of the log",
+        "in seconds: leave it out for 50 rows"},
+       Real{&Values::log_interval, positive}},
+      {{"output", "frame_interval", "s", false, When::always, "",
+        "time between frames for ParaView and OVITO; 0: no frames", "in seconds; 0 writes no frames"},
+       Real{&Values::frame_interval, not_negative}},
+      {{"output", "dump", "", false, When::always, "", "also write the frames as a LAMMPS text dump",
+        "true or false, without quotes"},
+       Flag{&Values::dump}},
+      {{"output", "sample_interval", "s", false, When::always, "", "time between measurements of the plug",
+        "in seconds: the default is 0.01"},
+       Real{&Values::sample_interval, positive}},
+      {{"output", "energy_ledger", "", false, When::always, "", "account for every joule dissipated and put in",
+        "true or false, without quotes"},
+       Flag{&Values::energy_ledger}},
+  };
+}
+
+std::span<const Rule<PlacedParticle>> placed_keys() {
+  using Placed = PlacedParticle;
+  static const std::vector<Rule<Placed>> all = {
+      {{"start.particle", "position", "m", true, When::always, "", "centre of the particle",
+        "x, y, z in metres; z runs along the pipe from 0 to [pipe] length, x = y = 0 is its axis"},
+       Vector{&Placed::position}},
+      {{"start.particle", "velocity", "m/s", false, When::always, "", "velocity",
+        "three numbers in m/s; leave it out for a particle at rest"},
+       Vector{&Placed::velocity}},
+      {{"start.particle", "angular_velocity", "rad/s", false, When::always, "", "angular velocity; needs friction",
+        "three numbers in rad/s; leave it out for none"},
+       Vector{&Placed::angular_velocity}},
+  };
+  return all;
+}
+
+}  // namespace fixdem::casegen

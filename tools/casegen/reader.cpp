@@ -1,0 +1,228 @@
+// Walks the TOML tree beside the table of keys (schema.hpp); the only file, with value_reader.hpp, that knows toml++.
+#include "reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "nearest_name.hpp"
+#include "plain_text.hpp"
+#include "schema.hpp"
+#include "value_reader.hpp"
+
+namespace fixdem::casegen {
+namespace {
+
+/// Reads one file; a class only to keep the report and the result at hand.
+class Reader {
+ public:
+  Reader(Reading& reading, Report& report) : reading_(reading), report_(report) {}
+
+  void read(const toml::table& root) {
+    for (const auto& [key, node] : root) {
+      const std::string name(key.str());
+      if (const auto* rule = find_key("", name)) {
+        read_value(*rule, "", key, node, reading_.values);
+      } else if (!is_table(name)) {
+        refuse_unknown_table(name, place_of(key.source()));
+      }
+    }
+    for (const auto& table : tables()) {
+      if (table.name == "start.particle") continue;  // part of [start]
+      if (const toml::node* node = root.get(table.name)) {
+        read_table(table.name, *node);
+      } else if (table.required) {
+        if (!misspelt_.contains(table.name))
+          report_.error({}, fmt::format("missing table [{}]: {}", table.name, table.meaning),
+                        "add it, with " + fmt::format("{}", fmt::join(names_in(table.name, true), ", ")));
+        for (const auto& rule : case_keys())
+          if (rule.table == table.name) reading_.unusable.insert(full_name(rule));
+      }
+    }
+    reading_.values.has_gas = reading_.tables.contains("gas");
+  }
+
+ private:
+  static std::string full_name(const Key& key) { return key.table + "." + key.name; }
+
+  static bool is_table(std::string_view name) {
+    return std::any_of(tables().begin(), tables().end(), [&](const TableRule& table) { return table.name == name; });
+  }
+
+  static std::vector<std::string> names_in(std::string_view table, bool only_required = false) {
+    std::vector<std::string> names;
+    for (const auto& rule : case_keys())
+      if (rule.table == table && (rule.required || !only_required)) names.push_back(rule.name);
+    if (table == "start.particle")
+      for (const auto& rule : placed_keys()) names.push_back(rule.name);
+    if (table == "start" && !only_required) names.push_back("particle");
+    if (table == "start" && only_required) names = {"one of arrangement = \"random\"", "from", "[[start.particle]]"};
+    return names;
+  }
+
+  void refuse_unknown_table(const std::string& name, Place place) {
+    std::vector<std::string> names{"title"};
+    for (const auto& table : tables())
+      if (table.name != "start.particle") names.push_back(table.name);
+    const std::string nearest = nearest_name(name, names);
+    misspelt_.insert(nearest);
+    report_.error(place, fmt::format("unknown table or key '{}' at the top of the file", name),
+                  suggestion(nearest, home_of(name), names));
+  }
+
+  /// Returns the key that was probably meant, so that it is not reported as missing as well; or "".
+  std::string refuse_unknown_key(const std::string& table, const std::string& name, Place place) {
+    const auto names = names_in(table);
+    std::string nearest = nearest_name(name, names);
+    report_.error(place, fmt::format("unknown key '{}' in {}", name, table_title(table)),
+                  suggestion(nearest, home_of(name), names));
+    return nearest;
+  }
+
+  /// The tables that do have a key of this name.
+  static std::string home_of(std::string_view name) {
+    std::vector<std::string> homes;
+    for (const auto& rule : case_keys())
+      if (rule.name == name && !rule.table.empty()) homes.push_back(table_title(rule.table));
+    return fmt::format("{}", fmt::join(homes, " or "));
+  }
+
+  static std::string suggestion(const std::string& nearest, const std::string& home,
+                                const std::vector<std::string>& names) {
+    std::string words;
+    if (!home.empty())
+      words = fmt::format("it belongs in {}; ", home);
+    else if (!nearest.empty())
+      words = fmt::format("did you mean '{}'? ", nearest);
+    return words + fmt::format("allowed: {}", fmt::join(names, ", "));
+  }
+
+  void read_table(const std::string& name, const toml::node& node) {
+    const Place place = place_of(node.source());
+    reading_.tables[name] = place;
+    const toml::table* table = node.as_table();
+    if (table == nullptr) {
+      report_.error(place, fmt::format("'{}' is {}, but must be a table", name, written_type(node)),
+                    fmt::format("write [{}] on a line of its own and its keys below", name));
+      for (const auto& rule : case_keys())
+        if (rule.table == name) reading_.unusable.insert(full_name(rule));
+      return;
+    }
+    for (const auto& [key, value] : *table) {
+      const std::string key_name(key.str());
+      if (name == "start" && key_name == "particle") {
+        read_placed(value);
+      } else if (const auto* rule = find_key(name, key_name)) {
+        read_value(*rule, name + ".", key, value, reading_.values);
+      } else {
+        const std::string meant = refuse_unknown_key(name, key_name, place_of(key.source()));
+        if (!table->contains(meant)) reading_.unusable.insert(fmt::format("{}.{}", name, meant));
+      }
+    }
+    for (const auto& rule : case_keys())
+      if (rule.table == name && rule.required && rule.when == When::always && !table->contains(rule.name))
+        refuse_missing(rule, name + ".", place);
+  }
+
+  void refuse_missing(const Key& rule, const std::string& prefix, Place place) {
+    if (reading_.unusable.contains(prefix + rule.name)) return;
+    report_.error(place, fmt::format("missing key '{}' in {}: {}", rule.name, table_title(rule.table), rule.meaning),
+                  rule.advice);
+    reading_.unusable.insert(prefix + rule.name);
+  }
+
+  void read_placed(const toml::node& node) {
+    const toml::array* entries = node.as_array();
+    if (entries == nullptr) {
+      report_.error(place_of(node.source()), "'particle' in [start] must be a list of tables",
+                    "write [[start.particle]], with two pairs of brackets, before each particle");
+      reading_.unusable.insert("start.particle");
+      return;
+    }
+    reading_.tables["start.particle"] = place_of(node.source());
+    for (const toml::node& entry : *entries) {
+      const Place place = place_of(entry.source());
+      const std::string prefix = fmt::format("start.particle.{}.", reading_.values.placed.size());
+      reading_.values.placed.emplace_back();
+      const toml::table* table = entry.as_table();
+      if (table == nullptr) {
+        report_.error(place,
+                      fmt::format("an entry of [[start.particle]] is {}, but must be a table", written_type(entry)),
+                      "write [[start.particle]] and below it position = [x, y, z]");
+        reading_.unusable.insert("start.particle");
+        continue;
+      }
+      for (const auto& [key, value] : *table) {
+        const auto keys = placed_keys();
+        const std::string name(key.str());
+        const auto rule = std::find_if(keys.begin(), keys.end(), [&](const auto& r) { return r.name == name; });
+        if (rule != keys.end())
+          read_value(*rule, prefix, key, value, reading_.values.placed.back());
+        else
+          reading_.unusable.insert(prefix + refuse_unknown_key("start.particle", name, place_of(key.source())));
+      }
+      for (const auto& rule : placed_keys())
+        if (rule.required && !table->contains(rule.name)) refuse_missing(rule, prefix, place);
+    }
+  }
+
+  template <class Record>
+  void read_value(const Rule<Record>& rule, const std::string& prefix, const toml::key& key, const toml::node& node,
+                  Record& record) {
+    const std::string name = prefix + rule.name;
+    reading_.given[name] = {place_of(key.source()), place_of(node.source()), written(node)};
+    const std::string problem = assign(rule, node, record);
+    if (problem.empty()) return;
+    const std::string where = rule.table.empty() ? "at the top of the file" : "in " + table_title(rule.table);
+    report_.error(place_of(node.source()),
+                  fmt::format("{} = {} {} {}; allowed: {}", rule.name, written(node), where, problem, rule.allowed()),
+                  rule.advice);
+    reading_.unusable.insert(name);
+  }
+
+  Reading& reading_;
+  Report& report_;
+  std::set<std::string> misspelt_;  // tables that were probably meant by an unknown name
+};
+
+}  // namespace
+
+std::string table_title(std::string_view table) {
+  return table == "start.particle" ? "[[start.particle]]" : fmt::format("[{}]", table);
+}
+
+Place Reading::place(const std::string& key) const {
+  if (const auto found = given.find(key); found != given.end()) return found->second.value;
+  const auto table = tables.find(key.substr(0, key.rfind('.')));
+  return table != tables.end() ? table->second : Place{};
+}
+
+std::string Reading::quote(const std::string& key) const {
+  const auto dot = key.rfind('.');
+  const std::string table = key.starts_with("start.particle") ? "start.particle" : key.substr(0, dot);
+  const auto found = given.find(key);
+  return fmt::format("{} {} = {}", table_title(table), key.substr(dot + 1),
+                     found != given.end() ? found->second.text : "(default)");
+}
+
+Reading read_case(std::string_view text, std::string_view file, Report& report) {
+  Reading reading;
+  if (const auto stray = find_stray_letter(text)) {
+    report.error(*stray, "a character that is not ASCII outside texts and comments; allowed: plain letters and signs",
+                 "type it anew: it may be a dash, blank or quotation mark copied from a document");
+    return reading;
+  }
+  const std::string no_toml = "this is not TOML: one key = value to a line, texts in double quotes, tables as [name]";
+  try {
+    const toml::table root = toml::parse(text, file);
+    Reader(reading, report).read(root);
+  } catch (const toml::parse_error& error) {
+    report.error(place_of(error.source()), std::string(error.description()), no_toml);
+  } catch (const std::invalid_argument&) {
+    report.error({}, "the file cannot be parsed, for a reason that the parser does not tell", no_toml);
+  }
+  return reading;
+}
+
+}  // namespace fixdem::casegen

@@ -1,0 +1,142 @@
+// Tables of the case format, and how ranges, types and defaults are put into words.
+#include "schema.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace fixdem::casegen {
+namespace {
+
+template <class... Alternatives>
+struct Overloaded : Alternatives... {
+  using Alternatives::operator()...;
+};
+template <class... Alternatives>
+Overloaded(Alternatives...) -> Overloaded<Alternatives...>;
+
+std::string quoted(const std::string& word) { return fmt::format("\"{}\"", word); }
+
+/// Whole numbers without an exponent, others in the shortest form that reads back exactly.
+std::string number(double value) {
+  if (std::abs(value) < 1e15 && value == std::floor(value)) return fmt::format("{:.0f}", value);
+  return fmt::format("{}", value);
+}
+
+}  // namespace
+
+std::span<const TableRule> tables() {
+  static const std::vector<TableRule> all = {
+      {"particles", true, "the particles: equal spheres"},
+      {"material", true, "what they and the walls are made of"},
+      {"contact", false, "the contact law"},
+      {"pipe", true, "the pipe"},
+      {"gas", false, "the gas that blows through the pipe; without this table there is none"},
+      {"start", true, "where the particles come from: exactly one of `arrangement`, `from` and `[[start.particle]]`"},
+      {"start.particle", false, "one `[[start.particle]]` table per particle, as many as `[particles] count`"},
+      {"run", true, "time and its step"},
+      {"capacity", false, "fixed sizes of the arrays"},
+      {"output", false, "what is written, and how often"},
+  };
+  return all;
+}
+
+std::span<const Rule<CaseValues>> case_keys() {
+  static const std::vector<Rule<CaseValues>> all = [] {
+    std::vector<Rule<CaseValues>> keys = physics_keys();
+    for (auto& key : run_keys()) keys.push_back(key);
+    return keys;
+  }();
+  return all;
+}
+
+const Rule<CaseValues>* find_key(std::string_view table, std::string_view name) {
+  for (const auto& rule : case_keys())
+    if (rule.table == table && rule.name == name) return &rule;
+  return nullptr;
+}
+
+std::string describe(When when) {
+  switch (when) {
+    case When::always:
+      return "";
+    case When::hertz:
+      return "normal = \"hertz\"";
+    case When::linear:
+      return "normal = \"linear\"";
+    case When::random:
+      return "arrangement = \"random\"";
+    case When::from:
+      return "from = \"another case\"";
+  }
+  return "";
+}
+
+bool Range::contains(double value) const {
+  if (!std::isfinite(value)) return false;
+  return (includes_low ? value >= low : value > low) && (includes_high ? value <= high : value < high);
+}
+
+std::string Range::describe() const {
+  const bool bounded_below = std::isfinite(low), bounded_above = std::isfinite(high);
+  if (bounded_below && bounded_above && includes_low && includes_high)
+    return fmt::format("{} to {}", number(low), number(high));
+  std::string words;
+  if (bounded_below) words = fmt::format("{} {}", includes_low ? "at least" : "above", number(low));
+  if (bounded_above)
+    words += fmt::format("{}{} {}", words.empty() ? "" : " and ", includes_high ? "at most" : "below", number(high));
+  return words.empty() ? "any finite number" : words;
+}
+
+template <class Record>
+std::string Rule<Record>::type() const {
+  return std::visit(
+      Overloaded{[](const Real<Record>&) { return "number"; }, [](const Whole<Record>&) { return "whole number"; },
+                 [](const Flag<Record>&) { return "true or false"; }, [](const Text<Record>&) { return "text"; },
+                 [](const Choice<Record>&) { return "word"; }, [](const Vector<Record>&) { return "three numbers"; }},
+      binding);
+}
+
+template <class Record>
+std::string Rule<Record>::allowed() const {
+  return std::visit(Overloaded{[](const Real<Record>& real) {
+                                 return real.range.describe() + (real.infinity_allowed ? ", or inf" : "");
+                               },
+                               [](const Whole<Record>& whole) { return whole.range.describe(); },
+                               [](const Flag<Record>&) { return std::string("true, false"); },
+                               [](const Text<Record>&) { return std::string("a text in double quotes"); },
+                               [](const Choice<Record>& choice) {
+                                 std::vector<std::string> words;
+                                 for (const auto& option : choice.options) words.push_back(quoted(option));
+                                 return fmt::format("{}", fmt::join(words, ", "));
+                               },
+                               [](const Vector<Record>&) { return std::string("[x, y, z], three finite numbers"); }},
+                    binding);
+}
+
+template <class Record>
+std::string Rule<Record>::default_value() const {
+  if (required) return "";
+  if (!default_note.empty()) return default_note;
+  const Record defaults{};
+  return std::visit(
+      Overloaded{[&](const Real<Record>& real) { return number(defaults.*real.member); },
+                 [&](const Whole<Record>& whole) { return fmt::format("{}", defaults.*whole.member); },
+                 [&](const Flag<Record>& flag) { return std::string(defaults.*flag.member ? "true" : "false"); },
+                 [&](const Text<Record>&) { return std::string("none"); },
+                 [&](const Choice<Record>& choice) {
+                   const std::string& word = defaults.*choice.member;
+                   return word.empty() ? std::string("none") : quoted(word);
+                 },
+                 [&](const Vector<Record>& vector) {
+                   const Vector3& v = defaults.*vector.member;
+                   return fmt::format("[{}, {}, {}]", number(v[0]), number(v[1]), number(v[2]));
+                 }},
+      binding);
+}
+
+template struct Rule<CaseValues>;
+template struct Rule<PlacedParticle>;
+
+}  // namespace fixdem::casegen

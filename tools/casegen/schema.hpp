@@ -1,0 +1,123 @@
+// The case format as one table: every key with its type, range, unit, default and meaning.
+//
+// The same rows drive reading, range checks, the advice of every refusal, the suggestions for misspelt keys and
+// `casegen --keys`, which prints the table of cases/README.md. A new key is one row in keys_physics.cpp or keys_run.cpp
+// and one member of `CaseValues`. What several keys must satisfy together is not a property of a row: see
+// conditions.cpp and geometry.cpp.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "case_values.hpp"
+
+namespace fixdem::casegen {
+
+/// An interval of numbers. Infinity is never inside, unless a key allows it explicitly.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool includes_low = true;
+  bool includes_high = true;
+
+  bool contains(double value) const;
+  std::string describe() const;  ///< "above 0 and at most 1"
+};
+constexpr Range any{};
+constexpr Range positive{0, std::numeric_limits<double>::infinity(), false, true};
+constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), true, true};
+constexpr Range between(double low, double high) { return {low, high, true, true}; }
+
+template <class Record>
+struct Real {
+  double Record::*member;
+  Range range;
+  bool infinity_allowed = false;
+};
+template <class Record>
+struct Whole {
+  std::int64_t Record::*member;
+  Range range;
+};
+template <class Record>
+struct Flag {
+  bool Record::*member;
+};
+template <class Record>
+struct Text {
+  std::string Record::*member;
+};
+template <class Record>
+struct Choice {
+  std::string Record::*member;
+  std::vector<std::string> options;
+};
+template <class Record>
+struct Vector {
+  Vector3 Record::*member;
+};
+
+// Deduction guides, for compilers that do not deduce the arguments of aggregates (clang before 17).
+template <class Record>
+Real(double Record::*, Range) -> Real<Record>;
+template <class Record>
+Real(double Record::*, Range, bool) -> Real<Record>;
+template <class Record>
+Whole(std::int64_t Record::*, Range) -> Whole<Record>;
+template <class Record>
+Flag(bool Record::*) -> Flag<Record>;
+template <class Record>
+Text(std::string Record::*) -> Text<Record>;
+template <class Record>
+Choice(std::string Record::*, std::vector<std::string>) -> Choice<Record>;
+template <class Record>
+Vector(Vector3 Record::*) -> Vector<Record>;
+
+/// When a key has a meaning; given elsewhere it is refused, because it would silently do nothing.
+enum class When { always, hertz, linear, random, from };
+
+/// A key without the place its value goes to.
+struct Key {
+  std::string table;
+  std::string name;
+  std::string unit;  ///< empty: a pure number or a word
+  bool required = false;
+  When when = When::always;
+  std::string default_note;  ///< for defaults that follow from other keys; otherwise the initialiser is printed
+  std::string meaning;
+  std::string advice;  ///< second line of a refusal
+};
+
+template <class Record>
+struct Rule : Key {
+  using Binding = std::variant<Real<Record>, Whole<Record>, Flag<Record>, Text<Record>, Choice<Record>, Vector<Record>>;
+  Binding binding;
+
+  std::string type() const;           ///< "real number", "whole number", ...
+  std::string allowed() const;        ///< "above 0 and at most 1", "\"hertz\", \"linear\""
+  std::string default_value() const;  ///< as written in TOML; empty when the key is required
+};
+
+struct TableRule {
+  std::string name;
+  bool required;
+  std::string meaning;
+};
+
+std::span<const TableRule> tables();                  ///< in the order of the documentation
+std::vector<Rule<CaseValues>> physics_keys();         ///< title, particles, material, contact, pipe, gas
+std::vector<Rule<CaseValues>> run_keys();             ///< start, run, capacity, output
+std::span<const Rule<CaseValues>> case_keys();        ///< both; table "" is the top of the file
+std::span<const Rule<PlacedParticle>> placed_keys();  ///< of one `[[start.particle]]`
+
+const Rule<CaseValues>* find_key(std::string_view table, std::string_view name);
+std::string describe(When when);  ///< "normal = \"hertz\"", empty for always
+
+/// Every key as Markdown, for cases/README.md.
+std::string key_table_markdown();
+
+}  // namespace fixdem::casegen

@@ -1,0 +1,139 @@
+// One TOML value against one row of the table of keys.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "nearest_name.hpp"
+#include "report.hpp"
+#include "schema.hpp"
+#include "toml.hpp"
+
+namespace fixdem::casegen {
+
+inline Place place_of(const toml::source_region& source) { return {source.begin.line, source.begin.column}; }
+
+/// The value as TOML would write it, numbers in the shortest form that reads back exactly; cut when it is long.
+inline std::string written(const toml::node& node) {
+  std::string text;
+  if (const auto* real = node.as_floating_point()) {
+    text = fmt::format("{}", real->get());
+  } else if (const auto* string = node.as_string()) {
+    text = fmt::format("\"{}\"", string->get());
+  } else if (const auto* list = node.as_array()) {
+    for (const auto& entry : *list) text += (text.empty() ? "" : ", ") + written(entry);
+    text = "[" + text + "]";
+  } else {
+    std::ostringstream stream;
+    node.visit([&](const auto& value) { stream << value; });
+    text = stream.str();
+  }
+  constexpr std::size_t longest = 60;
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+inline std::string written_type(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number with a point";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
+  }
+}
+
+/// A real number; an integer counts as one. False when the node is something else.
+inline bool read_real(const toml::node& node, double& value) {
+  if (const auto* real = node.as_floating_point())
+    value = real->get();
+  else if (const auto* whole = node.as_integer())
+    value = static_cast<double>(whole->get());
+  else
+    return false;
+  return true;
+}
+
+template <class Record>
+std::string assign(const Real<Record>& real, const toml::node& node, Record& record) {
+  double value = 0;
+  if (!read_real(node, value)) return fmt::format("is {}, but must be a number", written_type(node));
+  if (std::isnan(value)) return "is not a number";
+  const bool allowed_infinity = real.infinity_allowed && std::isinf(value) && value > 0;
+  if (!real.range.contains(value) && !allowed_infinity) return std::isinf(value) ? "must be finite" : "is out of range";
+  record.*real.member = value;
+  return "";
+}
+
+template <class Record>
+std::string assign(const Whole<Record>& whole, const toml::node& node, Record& record) {
+  const auto* value = node.as_integer();
+  if (value == nullptr) return fmt::format("is {}, but must be a whole number", written_type(node));
+  if (!whole.range.contains(static_cast<double>(value->get()))) return "is out of range";
+  record.*whole.member = value->get();
+  return "";
+}
+
+template <class Record>
+std::string assign(const Flag<Record>& flag, const toml::node& node, Record& record) {
+  const auto* value = node.as_boolean();
+  if (value == nullptr) return fmt::format("is {}, but must be true or false", written_type(node));
+  record.*flag.member = value->get();
+  return "";
+}
+
+template <class Record>
+std::string assign(const Text<Record>& text, const toml::node& node, Record& record) {
+  const auto* value = node.as_string();
+  if (value == nullptr) return fmt::format("is {}, but must be a text", written_type(node));
+  if (value->get().empty()) return "is empty";
+  record.*text.member = value->get();
+  return "";
+}
+
+template <class Record>
+std::string assign(const Choice<Record>& choice, const toml::node& node, Record& record) {
+  const auto* value = node.as_string();
+  if (value == nullptr) return fmt::format("is {}, but must be a text", written_type(node));
+  for (const auto& option : choice.options)
+    if (option == value->get()) {
+      record.*choice.member = option;
+      return "";
+    }
+  const std::string nearest = nearest_name(value->get(), choice.options);
+  return nearest.empty() ? "is unknown" : fmt::format("is unknown (did you mean \"{}\"?)", nearest);
+}
+
+template <class Record>
+std::string assign(const Vector<Record>& vector, const toml::node& node, Record& record) {
+  const auto* values = node.as_array();
+  if (values == nullptr) return fmt::format("is {}, but must be a list of three numbers", written_type(node));
+  if (values->size() != 3) return fmt::format("has {} entries, but must have three", values->size());
+  Vector3 result{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!read_real((*values)[axis], result[axis]))
+      return fmt::format("has {} in it, but must have three numbers", written_type((*values)[axis]));
+    if (!std::isfinite(result[axis])) return "must be finite";
+  }
+  record.*vector.member = result;
+  return "";
+}
+
+/// Reads the value into the record; returns what is wrong with it, or "".
+template <class Record>
+std::string assign(const Rule<Record>& rule, const toml::node& node, Record& record) {
+  return std::visit([&](const auto& binding) { return assign(binding, node, record); }, rule.binding);
+}
+
+}  // namespace fixdem::casegen

@@ -1,0 +1,115 @@
+# How each file is made: casegen, the run library, a case's header and program, the tests; and when a run is out of date.
+
+case_names := $(sort $(basename $(notdir $(wildcard cases/*.toml))))
+plug_cases := fill_1000 fill_500 plug_u24 plug_u24_n500 plug_u17 plug_u17_d3 plug_u24_d3
+sources := $(wildcard kernel/*.hpp tools/*/*.hpp tools/*/*.cpp tests/*.hpp tests/*.cpp tests/*/*.hpp tests/*/*.cpp bench/*.hpp bench/*.cpp)
+# A short line for each file; the whole command with V=1.
+quiet := $(if $(V),,@)
+say = @echo '  $(1)' >&2
+compile = $(quiet)$(CXX) -MMD -MP -MF $(@:.o=).d -MT $@
+
+# CASE is a name in cases/ or a path. The header and the program of a file elsewhere go to a folder of their own, so that
+# two files of the same name never share one.
+case_file := $(if $(filter %.toml,$(CASE)),$(CASE),cases/$(CASE).toml)
+case_name := $(basename $(notdir $(case_file)))
+case_folder := $(dir $(case_file))
+is_shipped := $(filter $(abspath cases),$(abspath $(case_folder)))
+case_build := $(if $(is_shipped),$(build),$(build)/elsewhere$(subst /,+,$(abspath $(case_folder))))
+case_header := $(case_build)/cases/$(case_name).hpp
+case_program := $(case_build)/bin/$(case_name)
+results = out/$(1)$(if $(SEED),-seed$(SEED))
+OUT ?= $(call results,$(case_name))
+
+.PHONY: build-program build-cases build-tests build-tidy
+build-program: $(case_program)
+build-cases: $(case_names:%=$(build)/bin/%)
+build-tests: build-cases $(build)/tests
+
+# casegen, and the library that all programs share.
+objects = $(patsubst %.cpp,$(build)/objects/%.o,$(1))
+casegen := $(build)/casegen
+casegen_objects := $(call objects,$(wildcard tools/casegen/*.cpp))
+run_objects := $(call objects,$(filter-out tools/run/main.cpp,$(wildcard tools/run/*.cpp)))
+
+$(build)/objects/tools/%.o: tools/%.cpp tools/make/variant.mk
+	@mkdir -p $(@D)
+	$(call say,compile $<)
+	$(compile) $(tool_flags) -c $< -o $@
+
+$(casegen): $(casegen_objects)
+	$(call say,link $@)
+	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -o $@
+
+# A case: its header, then the one program that is compiled for it. $(1): folder of the build, $(2): folder of the file.
+# The advice on the time step is shown for CASE, and for others when there is a warning.
+# casegen leaves a header alone when nothing in it changes, so that its program is not compiled again; the mark `.checked`
+# remembers that it has looked.
+define case_rules
+$(1)/cases/%.checked: $(2)%.toml $(casegen)
+	@mkdir -p $$(@D)
+	@said="$$$$($(casegen) $$< --output $$(@:.checked=.hpp) --source-label $$< 2>&1)" || { echo "$$$$said" >&2; exit 3; }; \
+	if [ $$* = $(case_name) ] || [[ "$$$$said" == *warning* ]]; then echo "$$$$said" >&2; fi
+	@touch $$@
+
+$(1)/cases/%.hpp: $(1)/cases/%.checked
+	@[ -e $$@ ] || $(casegen) $(2)$$*.toml --output $$@ --source-label $(2)$$*.toml
+
+$(1)/bin/%: $(1)/cases/%.hpp tools/run/main.cpp $(run_objects) tools/make/variant.mk
+	@mkdir -p $$(@D)
+	$$(call say,compile the program of $(2)$$*.toml)
+	$(quiet)$$(CXX) -MMD -MP -MF $(1)/cases/$$*.d -MT $$@ -I$(1) $(program_flags) $(link_flags) \
+	  $$(call program_defines,$$$$($(casegen) --name $(2)$$*.toml),$$*) tools/run/main.cpp $(run_objects) $(libraries) -o $$@
+endef
+$(eval $(call case_rules,$(build),cases/))
+$(if $(is_shipped),,$(eval $(call case_rules,$(case_build),$(case_folder))))
+
+%.toml:
+	@echo "fixdem: no case file '$@'; in cases/ there are: $(case_names)" >&2; exit 3
+
+# Tests: one program out of every tests/*.cpp; the headers of all cases come first because any test may use any case.
+test_objects := $(call objects,$(wildcard tests/*.cpp tests/reference/*.cpp))
+$(build)/objects/tests/%.o: tests/%.cpp tools/make/variant.mk | $(case_names:%=$(build)/cases/%.hpp)
+	@mkdir -p $(@D)
+	$(call say,compile $<)
+	$(compile) $(test_flags) $(test_defines) -c $< -o $@
+
+$(build)/tests: $(test_objects) $(run_objects)
+	@mkdir -p $(build)/scratch
+	$(call say,link $@)
+	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -o $@
+
+# clang-tidy: the tools, and the kernel as one case instantiates it.
+tidy_sources := $(wildcard tools/casegen/*.cpp tools/run/*.cpp)
+build-tidy: $(tidy_sources:%=$(build)/tidy/%.ok)
+$(build)/tidy/%.ok: % .clang-tidy $(build)/cases/plug_u24.hpp
+	@mkdir -p $(@D)
+	$(call say,clang-tidy $<)
+	$(quiet)clang-tidy --quiet $< -- $(filter-out -march=%,$(tool_flags)) $(call program_defines,plug_u24,plug_u24)
+	@touch $@
+
+# Runs. SEED goes to the case whose start is random: to CASE itself, or to the one that it starts from; results of a
+# seed lie in a folder of their own. A whole run (no ARGS) into the usual folder leaves a mark beside the program: another
+# case can start from the final state there while that is newer than the program and the state it started from itself, and
+# not newer than the mark (then something else has written there since, perhaps a shorter run).
+mark := $(case_program)$(if $(SEED),-seed$(SEED)).done
+usual := $(call results,$(case_name))
+read_start = from="$$($(casegen) --start-from $(case_file))"; \
+  start=$${from:+$(call results,$$(basename "$$from" .toml))/final.fixdem}
+run_case = $(case_program) --out $(1) \
+  $${start:+--start-state "$$start"} $(if $(SEED),$$([ -n "$$start" ] || echo --seed $(SEED))) $(ARGS)
+leave_mark = $(if $(strip $(ARGS)),,touch $(mark))
+
+# Sees to the final state of the case that CASE starts from, and of the one that that starts from, and so on.
+.PHONY: start-state final-state
+start-state: $(case_program)
+	+@$(read_start); if [ -n "$$from" ]; then $(MAKE) final-state CASE="$$from" ARGS=; fi
+
+final-state: start-state
+	@$(read_start); state=$(usual)/final.fixdem; \
+	if [ ! -e $$state ] || [ $(case_program) -nt $$state ] || [ ! -e $(mark) ] || [ $$state -nt $(mark) ] || \
+	   [ -n "$$start" -a "$$start" -nt $$state ]; then \
+	  echo "fixdem: running $(case_name) first, for its final state" >&2; \
+	  $(call run_case,$(usual)); $(leave_mark); fi
+
+-include $(wildcard $(build)/cases/*.d $(case_build)/cases/*.d) $(shell find $(build)/objects -name '*.d' 2>/dev/null)
+%.d: ;

@@ -1,0 +1,31 @@
+#include "case_facts.hpp"
+
+namespace fixdem::program {
+
+const char* integrator_name(Integrator integrator) { return integrator == Integrator::leapfrog ? "leapfrog" : "euler"; }
+
+std::vector<std::string> features(const CaseFacts& facts) {
+  std::vector<std::string> list;
+  list.push_back(facts.normal == NormalLaw::hertz ? "hertz" : "linear");
+  if (facts.friction > 0) {
+    list.push_back(facts.tangential == TangentialLaw::displacement ? "displacement"
+                   : facts.tangential == TangentialLaw::force      ? "force"
+                                                                   : "rescale");
+    list.push_back(facts.slider == Slider::clip ? "clip" : "paper");
+    list.push_back("rotation");
+  }
+  if (facts.damping == Damping::critical) list.push_back("critical_damping");
+  if (facts.damping_mass == DampingMass::particle) list.push_back("particle_damping_mass");
+  if (facts.has_wall) list.push_back("pipe_wall");
+  list.push_back(facts.is_periodic ? "periodic" : "closed_ends");
+  if (facts.has_gas) {
+    list.push_back("gas");
+    if (facts.bed_height == BedHeight::hard) list.push_back("hard_bed_height");
+    if (facts.bed_height == BedHeight::strict) list.push_back("strict_bed_height");
+  }
+  list.push_back(integrator_name(facts.integrator));
+  if (facts.energy_ledger) list.push_back("energy_ledger");
+  return list;
+}
+
+}  // namespace fixdem::program

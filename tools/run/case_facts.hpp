@@ -1,0 +1,112 @@
+// The constants of a case as run-time values, for the parts of the program that are compiled once for all cases.
+//
+// case_facts<Case>() copies them out of the generated header; nothing here is looked at inside a step. SI units.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kernel/case.hpp"
+
+namespace fixdem::program {
+
+struct CaseFacts {
+  const char* name;
+  const char* title;
+  const char* source;
+  unsigned long long source_hash;
+
+  int particle_count;
+  double diameter, density, mass, friction;
+  double pipe_diameter, pipe_length;
+  bool is_periodic, has_wall, has_gas;
+  double gas_velocity;
+  int slice_count;
+  double gravity[3];
+  double time_step, duration;
+  double log_interval, frame_interval, sample_interval;
+  double reference_speed;
+  double max_overlap;  ///< in radii
+  bool dump, energy_ledger;
+
+  NormalLaw normal;
+  TangentialLaw tangential;
+  Slider slider;
+  DampingMass damping_mass;
+  Damping damping;
+  BedHeight bed_height;
+  Integrator integrator;
+  double stiffness_pair, stiffness_wall;  ///< N/m^1.5 (hertz) or N/m (linear): only for advice about the time step
+
+  StartKind start;
+  unsigned long long seed;
+  double start_velocity;
+  bool start_keeps_motion;
+  const char* start_from;
+  const Placed* placed;
+
+  const char* instruction_set;  ///< of the translation unit that holds the kernel
+  const char* compiler;
+
+  double radius() const { return diameter / 2; }
+  double solid_volume() const { return mass / density; }  ///< of one particle, m3
+};
+
+/// What the compiler was allowed to use, from its own macros.
+constexpr const char* compiled_instruction_set() {
+#if defined(__AVX512F__)
+  return "AVX-512";
+#elif defined(__AVX2__) && defined(__FMA__)
+  return "AVX2 with FMA";
+#elif defined(__AVX__)
+  return "AVX";
+#elif defined(__x86_64__)
+  return "x86-64 baseline (SSE2)";
+#elif defined(__ARM_FEATURE_SVE)
+  return "AArch64 SVE";
+#elif defined(__aarch64__)
+  return "AArch64 NEON";
+#else
+  return "generic";
+#endif
+}
+
+constexpr const char* compiler_name() {
+#if defined(__clang__)
+  return __VERSION__;  // begins with its name
+#else
+  return "g++ " __VERSION__;
+#endif
+}
+
+template <class Case>
+constexpr CaseFacts case_facts() {
+  using D = Derived<Case>;
+  CaseFacts f{};
+  f.name = Case::name, f.title = Case::title, f.source = Case::source, f.source_hash = Case::source_hash;
+  f.particle_count = Case::particle_count;
+  f.diameter = Case::diameter, f.density = Case::density, f.mass = D::mass, f.friction = Case::friction;
+  f.pipe_diameter = Case::pipe_diameter, f.pipe_length = Case::pipe_length;
+  f.is_periodic = D::is_periodic, f.has_wall = Case::has_wall, f.has_gas = Case::has_gas;
+  f.gas_velocity = Case::gas_velocity, f.slice_count = Case::slice_count;
+  for (int k = 0; k < 3; ++k) f.gravity[k] = Case::gravity[k];
+  f.time_step = Case::time_step, f.duration = Case::duration;
+  f.log_interval = Case::log_interval, f.frame_interval = Case::frame_interval;
+  f.sample_interval = Case::sample_interval, f.reference_speed = Case::reference_speed;
+  f.max_overlap = Case::max_overlap, f.dump = Case::dump, f.energy_ledger = Case::energy_ledger;
+  f.normal = Case::normal, f.tangential = Case::tangential, f.slider = Case::slider;
+  f.damping_mass = Case::damping_mass, f.damping = Case::damping;
+  f.bed_height = Case::gas_bed_height, f.integrator = Case::integrator;
+  f.stiffness_pair = D::stiffness_pair, f.stiffness_wall = D::stiffness_wall;
+  f.start = Case::start, f.seed = Case::seed, f.start_velocity = Case::start_velocity;
+  f.start_keeps_motion = Case::start_keeps_motion, f.start_from = Case::start_from, f.placed = Case::placed;
+  f.instruction_set = compiled_instruction_set();
+  f.compiler = compiler_name();
+  return f;
+}
+
+/// Names of what is compiled in, in a fixed order: laws, walls, gas, integrator.
+std::vector<std::string> features(const CaseFacts&);
+const char* integrator_name(Integrator);
+
+}  // namespace fixdem::program

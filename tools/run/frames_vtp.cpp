@@ -1,0 +1,94 @@
+#include "frames_vtp.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+
+#include "output_file.hpp"
+
+namespace fixdem::program {
+namespace {
+
+/// Collects the arrays behind the XML header and remembers where each begins.
+class AppendedData {
+ public:
+  template <class T>
+  std::string array(const char* name, const char* type, int components, const std::vector<T>& values) {
+    const std::uint64_t size = values.size() * sizeof(T);
+    const std::size_t offset = bytes_.size();
+    bytes_.append(reinterpret_cast<const char*>(&size), sizeof size);
+    bytes_.append(reinterpret_cast<const char*>(values.data()), size);
+    return fmt::format(
+        "        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
+        type, name, components, offset);
+  }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+using Triple = double[3];
+
+std::vector<double> flat(const Snapshot& snapshot, const Triple& (*of)(const Particle&)) {
+  std::vector<double> values;
+  values.reserve(snapshot.particles.size() * 3);
+  for (const Particle& p : snapshot.particles) values.insert(values.end(), of(p), of(p) + 3);
+  return values;
+}
+
+}  // namespace
+
+std::string encode_vtp(const Snapshot& snapshot, double radius) {
+  const std::size_t n = snapshot.particles.size();
+  std::vector<std::int32_t> id(n), contacts(n);
+  std::vector<std::int64_t> connectivity(n), offsets(n);
+  const std::vector<int> contact_counts = contacts_per_particle(snapshot);
+  for (std::size_t i = 0; i < n; ++i) {
+    id[i] = static_cast<std::int32_t>(i);
+    contacts[i] = contact_counts[i];
+    connectivity[i] = static_cast<std::int64_t>(i);
+    offsets[i] = static_cast<std::int64_t>(i) + 1;
+  }
+  AppendedData data;
+  std::string xml = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n"
+      "  <PolyData>\n    <FieldData>\n"
+      "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:.12g}</DataArray>\n"
+      "      <DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
+      "    </FieldData>\n    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" "
+      "NumberOfStrips=\"0\" "
+      "NumberOfPolys=\"0\">\n",
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", snapshot.time, snapshot.step, n, n);
+  xml += "      <Points>\n";
+  xml += data.array("position", "Float64", 3,
+                    flat(snapshot, [](const Particle& p) -> const Triple& { return p.position; }));
+  xml += "      </Points>\n      <PointData Vectors=\"velocity\">\n";
+  xml += data.array("velocity", "Float64", 3,
+                    flat(snapshot, [](const Particle& p) -> const Triple& { return p.velocity; }));
+  xml += data.array("angular_velocity", "Float64", 3,
+                    flat(snapshot, [](const Particle& p) -> const Triple& { return p.angular_velocity; }));
+  xml += data.array("radius", "Float64", 1, std::vector<double>(n, radius));
+  xml += data.array("contacts", "Int32", 1, contacts);
+  xml += data.array("id", "Int32", 1, id);
+  xml += "      </PointData>\n      <Verts>\n";
+  xml += data.array("connectivity", "Int64", 1, connectivity);
+  xml += data.array("offsets", "Int64", 1, offsets);
+  xml += "      </Verts>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_";
+  return xml + data.bytes() + "\n  </AppendedData>\n</VTKFile>\n";
+}
+
+void FrameWriter::write(const Snapshot& snapshot) {
+  if (times_.empty()) make_folder(folder_ / "frames");
+  write_file(folder_ / fmt::format("frames/frame_{:06}.vtp", count()), encode_vtp(snapshot, radius_), Durability::fast);
+  times_.push_back(snapshot.time);
+  std::string pvd = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+  for (int k = 0; k < count(); ++k)
+    pvd += fmt::format("    <DataSet timestep=\"{:.12g}\" part=\"0\" file=\"frames/frame_{:06}.vtp\"/>\n",
+                       times_[static_cast<std::size_t>(k)], k);
+  pvd += "  </Collection>\n</VTKFile>\n";
+  write_file(folder_ / "frames.pvd", pvd, Durability::fast);
+}
+
+}  // namespace fixdem::program

@@ -1,0 +1,33 @@
+// Frames that ParaView and OVITO open: one VTP file each (VTK XML PolyData) and frames.pvd, which gives their times.
+//
+// VTK writes this format too, but as a dependency it is a hundred times larger than this program; what is needed here
+// is a short XML header and the arrays as raw appended binary data, each preceded by its size in bytes as UInt64.
+// Points in m, velocity in m/s, angular_velocity in rad/s, radius in m, contacts (number per particle), id (input
+// order); one vertex cell per particle, so that ParaView shows the points without a filter. Positions and motion in
+// double precision. The time and the step are field data.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "snapshot.hpp"
+
+namespace fixdem::program {
+
+std::string encode_vtp(const Snapshot&, double radius);
+
+/// Writes frames/frame_NNNNNN.vtp in a folder, and after each the list frames.pvd; both appear whole or not at all.
+class FrameWriter {
+ public:
+  FrameWriter(std::filesystem::path folder, double radius) : folder_(std::move(folder)), radius_(radius) {}
+  void write(const Snapshot&);
+  int count() const { return static_cast<int>(times_.size()); }
+
+ private:
+  std::filesystem::path folder_;
+  double radius_;
+  std::vector<double> times_;
+};
+
+}  // namespace fixdem::program

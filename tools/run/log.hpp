@@ -1,0 +1,39 @@
+// One moment of a run as a row: of the table on stdout, and of log.csv with all columns.
+//
+// log.csv has the units in its header; what is not defined at a moment (no plug) is an empty cell. Columns that the
+// case has no physics for do not exist. Rows are written whole.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "case_facts.hpp"
+#include "output_file.hpp"
+#include "plug_analysis.hpp"
+#include "simulation_view.hpp"
+
+namespace fixdem::program {
+
+struct LogRow {
+  double time = 0;
+  long long step = 0;
+  Observation observation{};
+  Energy energy{};
+  double balance_error = 0;
+  PlugSample plug{};
+};
+
+class LogFile {
+ public:
+  LogFile(const std::filesystem::path&, const CaseFacts&);
+  void write(const LogRow&);
+
+ private:
+  CaseFacts facts_;
+  AppendedFile file_;
+};
+
+std::string table_header(const CaseFacts&);
+std::string table_row(const CaseFacts&, const LogRow&);
+
+}  // namespace fixdem::program

@@ -1,0 +1,20 @@
+// The one translation unit that is compiled for every case: the kernel for that case, in static storage.
+//
+// Compiled with -DFIXDEM_CASE=plug_u24 -DFIXDEM_CASE_HEADER='"cases/plug_u24.hpp"' and linked with the library made of
+// the other files of this folder. Keep its includes few: it is what a user waits for after changing a case.
+#include FIXDEM_CASE_HEADER
+
+#include "case_adapter.hpp"
+#include "case_facts.hpp"
+#include "driver.hpp"
+#include "kernel/fixdem.hpp"
+
+namespace {
+using Case = fixdem::cases::FIXDEM_CASE;
+fixdem::Simulation<Case> simulation;  // about a megabyte: never on the stack
+}  // namespace
+
+int main(int argc, char** argv) {
+  static fixdem::program::CaseAdapter<Case> view(simulation);
+  return fixdem::program::run_program(view, fixdem::program::case_facts<Case>(), argc, argv);
+}

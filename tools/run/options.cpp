@@ -1,0 +1,103 @@
+#include "options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+
+#include "failure.hpp"
+
+namespace fixdem::program {
+namespace {
+
+constexpr const char* program_version = "0.1.0";
+
+std::string version_text(const CaseFacts& facts, const SimulationView& view) {
+  std::string text = fmt::format("fixdem {}\ncase:            {} ({}, xxh64 {:016x})\n", program_version, facts.name,
+                                 facts.source, facts.source_hash);
+  text += fmt::format("title:           {}\nparticles:       {}\nfeatures:       ", facts.title, facts.particle_count);
+  for (const std::string& feature : features(facts)) text += " " + feature;
+  text += "\ncapacities:     ";
+  for (const CapacityUse& use : view.capacities()) text += fmt::format(" {} {};", use.name, use.limit);
+  text += fmt::format("\ninstruction set: {}\nprecision:       double\ncompiler:        {}\n", facts.instruction_set,
+                      facts.compiler);
+  return text;
+}
+
+/// A check for CLI11, which would take -1 for 18446744073709551615.
+std::string is_whole_number(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? std::string() : fmt::format("'{}' is not a whole number, zero or more", text);
+}
+
+}  // namespace
+
+std::optional<Options> read_options(const CaseFacts& facts, const SimulationView& view, int argc, char** argv) {
+  Options options;
+  options.out = std::filesystem::path("out") / facts.name;
+  options.seed = facts.seed;
+  options.duration = facts.duration;
+
+  CLI::App app(fmt::format("{}\nfixdem program of the case {} ({})", facts.title, facts.name, facts.source));
+  bool no_frames = false;
+  std::string out, start_state;
+  app.add_option("--out", out, fmt::format("folder for all results (default {})", options.out.string()))
+      ->type_name("DIR");
+  auto* seed = app.add_option("--seed", options.seed, fmt::format("seed of the random start (default {})", facts.seed))
+                   ->type_name("N")
+                   ->check(is_whole_number);
+  auto* duration = app.add_option("--duration", options.duration,
+                                  fmt::format("simulated time in seconds (default {})", facts.duration))
+                       ->type_name("S");
+  app.add_option("--start-state", start_state,
+                 facts.start == StartKind::from
+                     ? fmt::format("final.fixdem to start from (default DIR/../{}/final.fixdem)", facts.start_from)
+                     : std::string("final.fixdem to start from; only for cases with [start] from"))
+      ->type_name("FILE");
+  app.add_flag("--quiet", options.quiet, "no table, no progress; errors only");
+  app.add_flag("--no-frames", no_frames, "write no frames and no dump, only log, final state and summary");
+  app.set_version_flag(
+      "--version", [&] { return version_text(facts, view); }, "what is compiled into this program");
+  app.footer(
+      "Results: log.csv, frames.pvd, frames/, final.fixdem, summary.json.\nExit codes: 0 done, 2 wrong usage, "
+      "3 bad case or input, 4 capacity exceeded,\n5 unstable or non-finite, 6 input/output, 128 + signal.");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    std::fputs(app.help().c_str(), stdout);
+    return std::nullopt;
+  } catch (const CLI::CallForVersion&) {
+    std::fputs(version_text(facts, view).c_str(), stdout);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw Failure(exit_wrong_usage, fmt::format("{}\n  --help lists the options", error.what()));
+  }
+
+  if (app.get_option("--out")->count() > 0) {
+    if (out.empty()) throw Failure(exit_wrong_usage, "--out needs the name of a folder");
+    options.out = out;
+  }
+  options.frames = !no_frames;
+  if (!start_state.empty()) options.start_state = start_state;
+  if (seed->count() > 0 && facts.start != StartKind::random)
+    throw Failure(
+        exit_wrong_usage,
+        fmt::format("--seed: the case {} has no random start\n  {}", facts.name,
+                    facts.start == StartKind::from
+                        ? fmt::format("give the seed to {}, whose final state it starts from", facts.start_from)
+                        : std::string("its particles are placed one by one")));
+  if (options.start_state && facts.start != StartKind::from)
+    throw Failure(exit_wrong_usage,
+                  fmt::format("--start-state: the case {} does not start from another case's state\n  write [start] "
+                              "from = \"other_case\" in {}",
+                              facts.name, facts.source));
+  const double steps = options.duration / facts.time_step;
+  if (duration->count() > 0 && !(std::isfinite(steps) && steps >= 0 && steps < 9e15))
+    throw Failure(exit_wrong_usage,
+                  fmt::format("--duration {}: a time in seconds, zero or more, is needed", options.duration));
+  return options;
+}
+
+}  // namespace fixdem::program

@@ -1,0 +1,70 @@
+#include "snapshot.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+namespace fixdem::program {
+namespace {
+
+/// The same contact as seen from its partner: force and slip turn round, and with them normal and history.
+void swap_owner(Contact& contact) {
+  std::swap(contact.owner, contact.partner);
+  for (int k = 0; k < 3; ++k) {
+    contact.normal[k] = -contact.normal[k];
+    contact.tangential_force[k] = -contact.tangential_force[k];
+    contact.history[k] = -contact.history[k];
+  }
+}
+
+}  // namespace
+
+Snapshot take_snapshot(const SimulationView& view, int particle_count) {
+  Snapshot snapshot;
+  snapshot.time = view.time();
+  snapshot.step = view.step();
+  snapshot.particles.reserve(static_cast<std::size_t>(particle_count));
+  snapshot.images.reserve(static_cast<std::size_t>(particle_count));
+  for (int id = 0; id < particle_count; ++id) {
+    snapshot.particles.push_back(view.particle(id));
+    snapshot.images.push_back(view.image(id));
+  }
+  snapshot.contacts = view.contacts();
+  for (Contact& contact : snapshot.contacts)
+    if (contact.partner >= 0 && contact.partner < contact.owner) swap_owner(contact);
+  std::sort(snapshot.contacts.begin(), snapshot.contacts.end(), [](const Contact& a, const Contact& b) {
+    return std::tie(a.owner, a.partner) < std::tie(b.owner, b.partner);
+  });
+  return snapshot;
+}
+
+std::vector<int> contacts_per_particle(const Snapshot& snapshot) {
+  std::vector<int> count(snapshot.particles.size(), 0);
+  for (const Contact& contact : snapshot.contacts) {
+    ++count[static_cast<std::size_t>(contact.owner)];
+    if (contact.partner >= 0) ++count[static_cast<std::size_t>(contact.partner)];
+  }
+  return count;
+}
+
+std::string state_hash(const Snapshot& snapshot) {
+  XXH64_state_t* state = XXH64_createState();
+  XXH64_reset(state, 0);
+  for (const Particle& p : snapshot.particles) XXH64_update(state, p.position, sizeof p.position);
+  for (const Particle& p : snapshot.particles) XXH64_update(state, p.velocity, sizeof p.velocity);
+  for (const Particle& p : snapshot.particles) XXH64_update(state, p.angular_velocity, sizeof p.angular_velocity);
+  for (const Contact& contact : snapshot.contacts) {
+    const std::int32_t ids[2] = {contact.owner, contact.partner};
+    XXH64_update(state, ids, sizeof ids);
+    XXH64_update(state, contact.history, sizeof contact.history);
+  }
+  const std::uint64_t hash = XXH64_digest(state);
+  XXH64_freeState(state);
+  return fmt::format("{:016x}", hash);
+}
+
+}  // namespace fixdem::program

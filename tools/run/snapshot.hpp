@@ -1,0 +1,32 @@
+// The state of a simulation at one moment, copied out in the order of the particles' numbers.
+//
+// Every output (frames, dump, final state, hash, plug measurement) is made from it, so they cannot disagree. Contacts
+// are put into one order that does not depend on how the kernel sorts its particles: in a pair the lower number owns
+// (its normal and history are those of the owner), and the list is sorted by owner and partner.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulation_view.hpp"
+
+namespace fixdem::program {
+
+struct Snapshot {
+  double time = 0;  ///< s
+  long long step = 0;
+  std::vector<Particle> particles;
+  std::vector<int> images;  ///< periodic crossings: unwrapped z = z + image * pipe length
+  std::vector<Contact> contacts;
+};
+
+Snapshot take_snapshot(const SimulationView&, int particle_count);
+
+/// Number of contacts (pairs and walls) of each particle.
+std::vector<int> contacts_per_particle(const Snapshot&);
+
+/// XXH64, as 16 hexadecimal digits, over positions, velocities and angular velocities in order of number, then owner,
+/// partner and history of every contact: equal states have equal hashes, on every machine of the same byte order.
+std::string state_hash(const Snapshot&);
+
+}  // namespace fixdem::program

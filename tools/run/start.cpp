@@ -1,0 +1,114 @@
+#include "start.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "arrangement.hpp"
+#include "failure.hpp"
+#include "fault_report.hpp"
+#include "state_file.hpp"
+
+namespace fixdem::program {
+namespace {
+
+std::filesystem::path default_start_state(const CaseFacts& facts, const Options& options) {
+  // Normalised without asking the disk, so that `out/plug/` and `out/plug` have the same neighbour.
+  std::filesystem::path out = std::filesystem::absolute(options.out).lexically_normal();
+  if (!out.has_filename()) out = out.parent_path();
+  return out.parent_path() / facts.start_from / "final.fixdem";
+}
+
+StoredState load(const CaseFacts& facts, const Options& options) {
+  const std::filesystem::path path = options.start_state ? *options.start_state : default_start_state(facts, options);
+  if (!options.start_state && !std::filesystem::exists(path))
+    throw Failure(exit_input_output,
+                  fmt::format("cannot read {}: the final state of {} is not there\n  run that case first (make run "
+                              "CASE={}), or name a file with --start-state",
+                              path.string(), facts.start_from, facts.start_from));
+  StoredState state = read_state(path);
+  const auto refuse = [&](const std::string& what, const std::string& advice) {
+    throw Failure(exit_bad_input, fmt::format("{} (case {}) does not fit the case {}: {}\n  {}", path.string(),
+                                              state.case_name, facts.name, what, advice));
+  };
+  if (!options.start_state && state.case_name != facts.start_from)
+    refuse(fmt::format("it was written by {}, [start] from names {}", state.case_name, facts.start_from),
+           fmt::format("run {} again, or give the file with --start-state if it is meant", facts.start_from));
+  if (!options.start_state && !state.complete)
+    refuse(fmt::format("its run was interrupted at {} s of {} s", state.time, state.duration),
+           fmt::format("run {} to its end, or give the file with --start-state if it is meant", facts.start_from));
+  if (state.particles.size() != static_cast<std::size_t>(facts.particle_count))
+    refuse(fmt::format("it has {} particles, the case {}", state.particles.size(), facts.particle_count),
+           fmt::format("set [particles] count = {} or take another state", state.particles.size()));
+  if (state.diameter != facts.diameter)
+    refuse(fmt::format("its particles are {} m wide, those of the case {} m", state.diameter, facts.diameter),
+           "both cases need the same [particles] diameter");
+  const bool forces = facts.tangential != TangentialLaw::displacement;
+  if (facts.start_keeps_motion && facts.friction > 0 && state.histories_are_forces != forces)
+    refuse(fmt::format("its contact histories are {}, the case needs {}",
+                       state.histories_are_forces ? "forces" : "displacements", forces ? "forces" : "displacements"),
+           "use the same [contact] tangential in both cases, or [start] motion = \"stop\"");
+  for (std::size_t i = 0; i < state.particles.size(); ++i) {
+    const double z = state.particles[i].position[2];
+    if (z < 0 || z > facts.pipe_length || (facts.is_periodic && z == facts.pipe_length))
+      refuse(fmt::format("particle {} lies at z = {} m, the pipe ends at {} m", i, z, facts.pipe_length),
+             fmt::format("raise [pipe] length, or let {} settle longer", state.case_name));
+  }
+  if (options.start_state && !state.complete && !options.quiet)
+    std::fputs(
+        fmt::format("fixdem: note: {} was interrupted at {} s of {} s\n", path.string(), state.time, state.duration)
+            .c_str(),
+        stderr);
+  return state;
+}
+
+void check(const CaseFacts& facts, const Status& status) {
+  if (status.ok()) return;
+  const ExitCode code = fault_exit_code(status.fault) == exit_capacity ? exit_capacity : exit_bad_input;
+  throw Failure(code,
+                "cannot start: " + fault_sentence(facts, status) + "\n  " +
+                    (code == exit_capacity ? fault_advice(facts, status, 0)
+                                           : std::string("change [start] so that every particle lies inside the "
+                                                         "pipe and none overlap by more than [run] max_overlap")));
+}
+
+}  // namespace
+
+void start_simulation(SimulationView& view, const CaseFacts& facts, const Options& options) {
+  StoredState state;
+  if (facts.start == StartKind::random) {
+    const Container pipe{facts.pipe_diameter, facts.pipe_length, facts.is_periodic};
+    state.particles = arrange_moving(pipe, facts.particle_count, facts.diameter, facts.start_velocity, options.seed);
+  } else if (facts.start == StartKind::placed) {
+    for (int id = 0; id < facts.particle_count; ++id) {
+      const Placed& p = facts.placed[id];
+      Particle particle{};
+      for (int k = 0; k < 3; ++k) {
+        particle.position[k] = p.position[k];
+        particle.velocity[k] = p.velocity[k];
+        particle.angular_velocity[k] = p.angular_velocity[k];
+      }
+      state.particles.push_back(particle);
+    }
+  } else {
+    state = load(facts, options);
+    for (Particle& particle : state.particles)
+      for (int k = 0; k < 3; ++k) {
+        if (!facts.start_keeps_motion) particle.velocity[k] = 0;
+        if (!facts.start_keeps_motion || facts.friction == 0) particle.angular_velocity[k] = 0;
+      }
+    if (!facts.start_keeps_motion || facts.friction == 0) state.histories.clear();
+  }
+
+  for (int id = 0; id < facts.particle_count; ++id) view.place(id, state.particles[static_cast<std::size_t>(id)]);
+  check(facts, view.start());
+  for (const StoredHistory& h : state.histories) {
+    // Walls that this case does not have took their history with them.
+    if (h.partner == -1 && !facts.has_wall) continue;
+    if (h.partner < -1 && facts.is_periodic) continue;
+    view.restore_history(h.owner, h.partner, h.history);
+  }
+}
+
+}  // namespace fixdem::program

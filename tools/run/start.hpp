@@ -1,0 +1,14 @@
+// Where the particles of a run come from: a random arrangement, a list in the case, or another case's final state.
+//
+// All of them are placed by number, then the kernel starts (it refuses overlaps beyond its limit and particles outside
+// the pipe), and with `motion = "keep"` the contact histories are given back. What cannot be used is a Failure with
+// exit code 3; a capacity of the kernel that is too small already now gives 4.
+#pragma once
+
+#include "options.hpp"
+
+namespace fixdem::program {
+
+void start_simulation(SimulationView&, const CaseFacts&, const Options&);
+
+}  // namespace fixdem::program

@@ -1,0 +1,135 @@
+#include "summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "energy_balance.hpp"
+
+namespace fixdem::program {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys in the order written here
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json triple(const double (&v)[3]) { return Json::array({number(v[0]), number(v[1]), number(v[2])}); }
+
+double rate(const CaseFacts& facts, const Outcome& outcome) {
+  const double steps = static_cast<double>(outcome.snapshot.step) * facts.particle_count;
+  return outcome.kernel_time > 0 ? steps / outcome.kernel_time : 0;
+}
+
+Json energy(const CaseFacts& facts, const Outcome& outcome) {
+  const Energy& e = outcome.energy;
+  // What a step has to sum up exists only with the ledger; the rest follows from the state.
+  const auto entry = [&facts](double value) { return facts.energy_ledger ? number(value) : Json(nullptr); };
+  return {{"kinetic", number(outcome.observation.kinetic_translation + outcome.observation.kinetic_rotation)},
+          {"elastic", number(e.elastic)},
+          {"dissipated", entry(dissipated(e))},
+          {"gravity_work", number(e.gravity_work)},
+          {"gas_work", facts.has_gas ? entry(e.gas_work) : Json(nullptr)},
+          {"balance_error", entry(balance_error(outcome.start_energy, e))}};
+}
+
+Json plug(const Outcome& outcome) {
+  if (!outcome.plug) return nullptr;
+  const PlugResult& p = *outcome.plug;
+  return {{"front_velocity", number(p.front_velocity)},
+          {"particle_velocity", number(p.particle_velocity)},
+          {"length", number(p.length)},
+          {"layer_area_ratio", number(p.layer_area_ratio)},
+          {"layer_area_ratio_eq41", number(p.layer_area_ratio_eq41)},
+          {"pressure_gradient", number(p.pressure_gradient)},
+          {"pressure_drop", number(p.pressure_drop)},
+          {"samples", p.samples},
+          {"samples_with_plug", p.samples_with_plug}};
+}
+
+Json collision(const Outcome& outcome) {
+  if (!outcome.collision) return nullptr;
+  const Collision& c = *outcome.collision;
+  return {
+      {"restitution", number(c.restitution)},           {"tangential_restitution", number(c.tangential_restitution)},
+      {"angular_velocity", number(c.angular_velocity)}, {"contact_time", number(c.contact_time)},
+      {"max_overlap", number(c.max_overlap)},           {"max_normal_force", number(c.max_normal_force)}};
+}
+
+Json particles(const Outcome& outcome) {
+  if (outcome.snapshot.particles.size() > 64) return nullptr;
+  Json list = Json::array();
+  for (const Particle& p : outcome.snapshot.particles)
+    list.push_back({{"position", triple(p.position)},
+                    {"velocity", triple(p.velocity)},
+                    {"angular_velocity", triple(p.angular_velocity)}});
+  return list;
+}
+
+}  // namespace
+
+std::string encode_summary(const CaseFacts& facts, const Options& options, const Outcome& outcome) {
+  const Observation& o = outcome.observation;
+  Json capacity = Json::object();
+  for (const CapacityUse& use : outcome.capacities)
+    capacity[use.name] = {{"limit", use.limit}, {"high_water", use.high_water}};
+  const Json summary = {{"case", facts.name},
+                        {"case_hash", fmt::format("{:016x}", facts.source_hash)},
+                        {"features", features(facts)},
+                        {"precision", "double"},
+                        {"integrator", integrator_name(facts.integrator)},
+                        {"time_step", facts.time_step},
+                        {"steps", outcome.snapshot.step},
+                        {"status", outcome.status},
+                        {"seed", facts.start == StartKind::random ? Json(options.seed) : Json(nullptr)},
+                        {"final",
+                         {{"time", outcome.snapshot.time},
+                          {"kinetic_energy", number(o.kinetic_translation + o.kinetic_rotation)},
+                          {"contacts", o.contacts + o.wall_contacts},
+                          {"coordination_number", number(o.coordination_number)},
+                          {"max_overlap", number(o.max_overlap)},
+                          {"max_speed", number(o.max_speed)},
+                          {"mean_axial_velocity", number(o.mean_axial_velocity)},
+                          {"mean_height", number(o.mean_height)},
+                          {"state_hash", state_hash(outcome.snapshot)}}},
+                        {"energy", energy(facts, outcome)},
+                        {"capacity", capacity},
+                        {"performance",
+                         {{"wall_time", outcome.wall_time},
+                          {"kernel_time", outcome.kernel_time},
+                          {"particle_steps_per_second", rate(facts, outcome)}}},
+                        {"plug", plug(outcome)},
+                        {"collision", collision(outcome)},
+                        {"particles", particles(outcome)}};
+  return summary.dump(2) + "\n";
+}
+
+std::string describe_outcome(const CaseFacts& facts, const Outcome& outcome) {
+  std::string text = fmt::format(
+      "\n{}: {}, {} steps, {:.6g} s simulated in {:.2f} s, {:.4g} million particle-steps/s\n", facts.name,
+      outcome.status, outcome.snapshot.step, outcome.snapshot.time, outcome.wall_time, 1e-6 * rate(facts, outcome));
+  if (facts.energy_ledger)
+    text += fmt::format("energy balance error {:.2e}\n", balance_error(outcome.start_energy, outcome.energy));
+  if (outcome.plug && std::isfinite(outcome.plug->front_velocity)) {
+    const PlugResult& p = *outcome.plug;
+    text += fmt::format(
+        "plug: front {:.3f} m/s, particles {:.3f} m/s, length {:.3f} m, layer area ratio {:.3f} (eq. 41: {:.3f}), "
+        "{:.0f} Pa/m\n",
+        p.front_velocity, p.particle_velocity, p.length, p.layer_area_ratio, p.layer_area_ratio_eq41,
+        p.pressure_gradient);
+  } else if (outcome.plug) {
+    text += fmt::format("plug: none ({} of {} samples in the second half of the run show one)\n",
+                        outcome.plug->samples_with_plug, outcome.plug->samples);
+  }
+  if (outcome.collision) {
+    const Collision& c = *outcome.collision;
+    text +=
+        fmt::format("collision: restitution {:.5f}, contact time {:.4e} s, greatest overlap {:.4e} m, force {:.4e} N\n",
+                    c.restitution, c.contact_time, c.max_overlap, c.max_normal_force);
+    if (std::isfinite(c.tangential_restitution))
+      text += fmt::format("           tangential restitution {:.5f}, angular velocity {:.5g} rad/s\n",
+                          c.tangential_restitution, c.angular_velocity);
+  }
+  return text;
+}
+
+}  // namespace fixdem::program

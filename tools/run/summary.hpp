@@ -1,0 +1,33 @@
+// summary.json: the outcome of a run for programs to read; tools/README.md lists the keys.
+//
+// The keys are always the same; null stands for what does not apply. SI units throughout; numbers read back exactly.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "collision_tracker.hpp"
+#include "options.hpp"
+#include "plug_analysis.hpp"
+#include "snapshot.hpp"
+
+namespace fixdem::program {
+
+struct Outcome {
+  std::string status;  ///< "done", "interrupted", or the name of a fault
+  Snapshot snapshot;
+  Observation observation{};
+  Energy start_energy{}, energy{};
+  std::vector<CapacityUse> capacities;
+  double wall_time = 0;    ///< of the time loop with its outputs, s
+  double kernel_time = 0;  ///< inside the kernel, s
+  std::optional<PlugResult> plug;
+  std::optional<Collision> collision;
+};
+
+std::string encode_summary(const CaseFacts&, const Options&, const Outcome&);
+
+/// A few lines for a person, printed after the table.
+std::string describe_outcome(const CaseFacts&, const Outcome&);
+
+}  // namespace fixdem::program
