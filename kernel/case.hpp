@@ -110,12 +110,14 @@ struct Capacity {
   static constexpr int neighbours = Case::neighbour_capacity;
 
   /// Particles in a chunk of the pipe: at least those whose centres can lie within 1.1 d along the axis, so that a
-  /// contact joins a chunk with itself or the next one. Random close packing (0.64) of that slab, and 64 at least,
-  /// because smaller chunks waste lanes. Overflow (a denser slab than random close packing): the run stops.
-  static constexpr int slab_particles = static_cast<int>(1.1 * 0.70 * 1.5 * (Case::pipe_diameter / Case::diameter) *
-                                                         (Case::pipe_diameter / Case::diameter)) +
-                                        4;
-  static constexpr int chunk_size = (slab_particles < 64 ? 64 : (slab_particles + 15) / 16 * 16);
+  /// contact joins a chunk with itself or the next one. That slab packed to 0.70 (random close packing is 0.64), 64
+  /// at least, because smaller chunks waste lanes, and never more than the scene has. Overflow: the run stops.
+  static constexpr int whole_scene = (Case::particle_count + 15) / 16 * 16;
+  static constexpr double slab =
+      1.1 * 0.70 * 1.5 * (Case::pipe_diameter / Case::diameter) * (Case::pipe_diameter / Case::diameter) + 20;
+  static constexpr int slab_size =
+      slab < 64 ? 64 : (slab < whole_scene ? static_cast<int>(slab) / 16 * 16 : whole_scene);
+  static constexpr int chunk_size = slab_size < whole_scene ? slab_size : whole_scene;
   static constexpr int chunks = (Case::particle_count + chunk_size - 1) / chunk_size;
 
   /// Pairs owned by the particles of one chunk, each pair counted once: half the neighbours of each, and one batch of

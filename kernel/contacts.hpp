@@ -24,8 +24,28 @@ template <int Batches>
 struct HistoryBatches<Batches, 0> {};
 }  // namespace detail
 
+/// Numbering of the force rows: two chunks in turn, the pairs across the ends, and one row of zeros.
+template <class Case>
+struct Rows {
+  using Cap = Capacity<Case>;
+  using D = Derived<Case>;
+  static constexpr int of_chunk =
+      Cap::chunk_pairs + (Case::has_wall ? Cap::chunk_size : 0) + (D::has_ends ? Cap::chunk_size : 0);
+  static constexpr int wrap_first = 2 * of_chunk;
+  static constexpr int zero = wrap_first + (D::is_periodic ? Cap::wrap_pairs : 0);
+  /// First force row of a chunk's contacts.
+  static constexpr int first(int chunk) { return (chunk & 1) * of_chunk; }
+
+  using Offset = RowOffset<zero + 1>;  // force rows outnumber the particles of two chunks
+  static constexpr Offset offset(int number) { return static_cast<Offset>(8 * number); }
+  static constexpr int number(Offset offset) { return static_cast<int>(offset / 8); }
+
+  /// First particle that partners across the ends are counted from: they lie in the last two chunks.
+  static constexpr int wrap_base = Cap::chunks > 2 ? (Cap::chunks - 2) * Cap::chunk_size : 0;
+};
+
 /// Near pairs. Range c holds those of chunk c; range `chunks` those across the periodic ends, whose owners count from
-/// the first particle and whose partners from `Contacts::wrap_base`.
+/// the first particle and whose partners from `Rows::wrap_base`.
 template <class Case>
 struct PairBatches {
   using Cap = Capacity<Case>;
@@ -34,8 +54,8 @@ struct PairBatches {
   static constexpr int batches =
       Cap::chunks * Cap::chunk_pairs / 8 + (Derived<Case>::is_periodic ? Cap::wrap_pairs / 8 : 0);
 
-  alignas(64) RowOffset owner[batches][8];
-  alignas(64) RowOffset partner[batches][8];
+  alignas(64) typename Rows<Case>::Offset owner[batches][8];
+  alignas(64) typename Rows<Case>::Offset partner[batches][8];
   [[no_unique_address]] detail::HistoryBatches<batches, history_size> history;
   int first[ranges + 1];  ///< first batch of each range
   int count[ranges];      ///< pairs in it; the last batch is filled up with copies that are masked out
@@ -49,7 +69,7 @@ struct WallBatches {
   static constexpr int history_size = ContactLaw<Case, true>::history_size;
   static constexpr int batches = Cap::chunks * Cap::chunk_size / 8;
 
-  alignas(64) RowOffset owner[batches][8];
+  alignas(64) typename Rows<Case>::Offset owner[batches][8];
   [[no_unique_address]] detail::HistoryBatches<batches, history_size> history;
   int first[Cap::chunks + 1];
   int count[Cap::chunks];
@@ -67,21 +87,12 @@ struct Contacts {
   [[no_unique_address]] WallBatches<Case, Case::has_wall> pipe;
   [[no_unique_address]] WallBatches<Case, D::has_ends> ends;
 
-  static constexpr int chunk_rows =
-      Cap::chunk_pairs + (Case::has_wall ? Cap::chunk_size : 0) + (D::has_ends ? Cap::chunk_size : 0);
-  static constexpr int wrap_first_row = 2 * chunk_rows;
-  static constexpr int zero_row = wrap_first_row + (D::is_periodic ? Cap::wrap_pairs : 0);
-  static_assert(zero_row < nameable_rows, "fixdem: too many force rows in a chunk: lower [capacity] neighbours");
-  alignas(64) double rows[(zero_row + 1) * row_width];
-
-  /// First force row of a chunk's contacts.
-  static constexpr int first_row(int chunk) { return (chunk & 1) * chunk_rows; }
-  static constexpr int wrap_base = Case::particle_count > nameable_rows ? Case::particle_count - nameable_rows : 0;
+  alignas(64) double rows[(Rows<Case>::zero + 1) * row_width];
 
   /// Rows a particle can own: its near pairs, the pipe wall and an end wall.
   static constexpr int max_slots = Cap::neighbours + (Case::has_wall ? 1 : 0) + (D::has_ends ? 1 : 0);
   /// Slot entries: particle, k own rows, k incoming rows. Bucket k of a chunk has `bucket[chunk][k]` particles.
-  RowOffset slots[Case::particle_count * (2 * max_slots + 1)];
+  typename Rows<Case>::Offset slots[Case::particle_count * (2 * max_slots + 1)];
   int first_slot[Cap::chunks];
   int bucket[Cap::chunks][max_slots + 1];
   int near_count[Case::particle_count];  ///< near pairs of each particle

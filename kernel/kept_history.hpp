@@ -72,11 +72,11 @@ void for_each_near_pair(const Contacts<Case>& contacts, F&& f) {
   for (int range = 0; range < PairBatches<Case>::ranges; ++range) {
     const bool wraps = range == Capacity<Case>::chunks;
     const int owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
-    const int partner_base = wraps ? Contacts<Case>::wrap_base : owner_base;
+    const int partner_base = wraps ? Rows<Case>::wrap_base : owner_base;
     for (int k = 0; k < contacts.pairs.count[range]; ++k) {
       const int batch = contacts.pairs.first[range] + k / 8, lane = k % 8;
-      f(batch, lane, owner_base + row_number(contacts.pairs.owner[batch][lane]),
-        partner_base + row_number(contacts.pairs.partner[batch][lane]));
+      f(batch, lane, owner_base + Rows<Case>::number(contacts.pairs.owner[batch][lane]),
+        partner_base + Rows<Case>::number(contacts.pairs.partner[batch][lane]));
     }
   }
 }
@@ -87,7 +87,7 @@ void for_each_near_wall(const Walls& walls, F&& f) {
   for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
     for (int k = 0; k < walls.count[chunk]; ++k) {
       const int batch = walls.first[chunk] + k / 8, lane = k % 8;
-      f(batch, lane, chunk * Capacity<Case>::chunk_size + row_number(walls.owner[batch][lane]));
+      f(batch, lane, chunk * Capacity<Case>::chunk_size + Rows<Case>::number(walls.owner[batch][lane]));
     }
 }
 

@@ -40,10 +40,9 @@ struct MotionWatch {
 };
 
 /// Moves the `particles_in_bucket` particles of one bucket with k own and k incoming rows each.
-template <class Case, int W, int k>
-FIXDEM_INLINE const RowOffset* move_bucket(const RowOffset* entry, int particles_in_bucket, int base,
-                                           const double* rows, Particles<Case>& particles,
-                                           MotionWatch<Case, W>& watch) {
+template <class Case, int W, int k, class Offset>
+FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bucket, int base, const double* rows,
+                                        Particles<Case>& particles, MotionWatch<Case, W>& watch) {
   constexpr int width = Particles<Case>::motion_width;
   using Sum = RowSum<width, W>;
   using V = typename Sum::V;
@@ -54,7 +53,7 @@ FIXDEM_INLINE const RowOffset* move_bucket(const RowOffset* entry, int particles
   alignas(64) static constexpr double inertia[8] = {1, 1, 1, 1, 2.5, 2.5, 2.5, 2.5};  // r^2 m / I
 
   for (int q = 0; q < particles_in_bucket; ++q, entry += 2 * k + 1) {
-    const int i = base + row_number(entry[0]);
+    const int i = base + Rows<Case>::number(entry[0]);
     Sum own{}, incoming{};
     for (int s = 0; s < k; ++s) {
       own.add(row_at<width>(rows, entry[1 + s]));
@@ -93,8 +92,8 @@ FIXDEM_INLINE const RowOffset* move_bucket(const RowOffset* entry, int particles
   return entry;
 }
 
-template <class Case, int W, int k>
-FIXDEM_INLINE void move_buckets_from(const RowOffset* entry, const int* bucket, int base, const double* rows,
+template <class Case, int W, int k, class Offset>
+FIXDEM_INLINE void move_buckets_from(const Offset* entry, const int* bucket, int base, const double* rows,
                                      Particles<Case>& particles, MotionWatch<Case, W>& watch) {
   entry = move_bucket<Case, W, k>(entry, bucket[k], base, rows, particles, watch);
   if constexpr (k < Contacts<Case>::max_slots)

@@ -31,8 +31,8 @@ struct NearList {
   long long renewals;
 
   alignas(64) double x[count + copies + 16], y[count + copies + 16], z[count + copies + 16];
-  RowOffset own_row[count][Contacts<Case>::max_slots];
-  RowOffset incoming_row[count][Cap::neighbours];
+  typename Rows<Case>::Offset own_row[count][Contacts<Case>::max_slots];
+  typename Rows<Case>::Offset incoming_row[count][Cap::neighbours];
   unsigned char own_count[count], incoming_count[count];
   int wrap_owner[Cap::wrap_pairs], wrap_partner[Cap::wrap_pairs];
 

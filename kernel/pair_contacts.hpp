@@ -119,15 +119,15 @@ struct PairRange {
     const bool wraps =
         range == Capacity<Case>::chunks;  // the owner is at the start of the pipe, its partner at the end
     owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
-    partner_base = wraps ? Contacts<Case>::wrap_base : owner_base;
+    partner_base = wraps ? Rows<Case>::wrap_base : owner_base;
     shift = wraps ? -Case::pipe_length : 0;
   }
 };
 
 /// Overlap, normal and springs of one batch of pairs; eqs. (16), (21), (26). Lanes from `valid` on are copies and count
 /// as open. With `sparse`, returns false when nothing overlaps, and computes no roots then.
-template <class Case, int W, bool sparse>
-FIXDEM_INLINE bool pair_geometry(const RowOffset* owner, const RowOffset* partner, const double* owner_rows,
+template <class Case, int W, bool sparse, class Offset>
+FIXDEM_INLINE bool pair_geometry(const Offset* owner, const Offset* partner, const double* owner_rows,
                                  const double* partner_rows, double shift, int valid, ContactGeometry& g,
                                  ContactWatch<W>& watch) {
   using V = Lanes<W>;
@@ -173,7 +173,7 @@ void pair_contacts(Contacts<Case>& contacts, const Particles<Case>& particles, i
                                                   partner_position, at.shift, count - 8 * (group + b - first),
                                                   geometry[b], watch);
     for (int b = 0; b < size; ++b) {
-      const RowOffset *owner = pairs.owner[group + b], *partner = pairs.partner[group + b];
+      const auto *owner = pairs.owner[group + b], *partner = pairs.partner[group + b];
       double(*history)[8] = detail::history_of<Law::history_size>(pairs, group + b);
       double* rows = contacts.rows + (row + 8 * (group + b - first)) * width;
       if (sparse && !touches[b]) {

@@ -36,15 +36,15 @@ void add_pair(Contacts<Case>& contacts, NearList<Case>& near, const Particles<Ca
               int range, int owner, int partner, int first_row) {
   const bool wraps = range == Capacity<Case>::chunks;
   const int owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
-  const int partner_base = wraps ? Contacts<Case>::wrap_base : owner_base;
+  const int partner_base = wraps ? Rows<Case>::wrap_base : owner_base;
   const int k = contacts.pairs.count[range]++;
   const int batch = contacts.pairs.first[range] + k / 8, lane = k % 8;
-  contacts.pairs.owner[batch][lane] = row_offset(owner - owner_base);
-  contacts.pairs.partner[batch][lane] = row_offset(partner - partner_base);
+  contacts.pairs.owner[batch][lane] = Rows<Case>::offset(owner - owner_base);
+  contacts.pairs.partner[batch][lane] = Rows<Case>::offset(partner - partner_base);
   if constexpr (PairBatches<Case>::history_size > 0)
     kept.restore(p.id[owner], p.id[partner], contacts.pairs.history.value[batch], lane);
-  near.own_row[owner][near.own_count[owner]++] = row_offset(first_row + k);
-  near.incoming_row[partner][near.incoming_count[partner]++] = row_offset(first_row + k);
+  near.own_row[owner][near.own_count[owner]++] = Rows<Case>::offset(first_row + k);
+  near.incoming_row[partner][near.incoming_count[partner]++] = Rows<Case>::offset(first_row + k);
 }
 
 /// Lists the particles of one chunk that are near a wall; `is_near(row)` decides. Returns the row after the last batch.
@@ -60,10 +60,10 @@ int list_walls(Walls& walls, NearList<Case>& near, const Particles<Case>& p,
   for (int i = base; i < end; ++i) {
     if (!is_near(i)) continue;
     const int batch = walls.first[chunk] + k / 8, lane = k % 8;
-    walls.owner[batch][lane] = row_offset(i - base);
+    walls.owner[batch][lane] = Rows<Case>::offset(i - base);
     if constexpr (size > 0)
       for (int c = 0; c < size; ++c) walls.history.value[batch][c][lane] = kept[p.id[i]][c];
-    near.own_row[i][near.own_count[i]++] = row_offset(first_row + k);
+    near.own_row[i][near.own_count[i]++] = Rows<Case>::offset(first_row + k);
     ++k;
   }
   walls.count[chunk] = k;
@@ -92,13 +92,13 @@ int list_slots(Contacts<Case>& contacts, const NearList<Case>& near, int chunk, 
   }
   for (int i = base; i < end; ++i) {
     const int k = length(i);
-    RowOffset* slot = contacts.slots + next[k];
+    auto* slot = contacts.slots + next[k];
     next[k] += 2 * k + 1;
-    *slot++ = row_offset(i - base);
+    *slot++ = Rows<Case>::offset(i - base);
     for (int s = 0; s < k; ++s)
-      *slot++ = s < near.own_count[i] ? near.own_row[i][s] : row_offset(Contacts<Case>::zero_row);
+      *slot++ = s < near.own_count[i] ? near.own_row[i][s] : Rows<Case>::offset(Rows<Case>::zero);
     for (int s = 0; s < k; ++s)
-      *slot++ = s < near.incoming_count[i] ? near.incoming_row[i][s] : row_offset(Contacts<Case>::zero_row);
+      *slot++ = s < near.incoming_count[i] ? near.incoming_row[i][s] : Rows<Case>::offset(Rows<Case>::zero);
   }
   return entry;
 }
@@ -159,7 +159,7 @@ Status list_contacts(Contacts<Case>& contacts, NearList<Case>& near, const Parti
   for (int chunk = 0; chunk < Cap::chunks; ++chunk) {
     const int base = chunk * Cap::chunk_size;
     const int end = base + Cap::chunk_size < count ? base + Cap::chunk_size : count;
-    int row = Contacts<Case>::first_row(chunk);
+    int row = Rows<Case>::first(chunk);
     contacts.pairs.count[chunk] = 0;
     int touching = 0;
     for (int i = base; i < end; ++i) {
@@ -220,7 +220,7 @@ Status list_contacts(Contacts<Case>& contacts, NearList<Case>& near, const Parti
     contacts.pairs.count[range] = 0;
     for (int k = 0; k < wraps; ++k)
       detail::add_pair(contacts, near, p, kept, range, near.wrap_owner[k], near.wrap_partner[k],
-                       Contacts<Case>::wrap_first_row);
+                       Rows<Case>::wrap_first);
     detail::fill_last_batch<PairBatches<Case>::history_size>(contacts.pairs, contacts.pairs.first[range], wraps);
     contacts.pairs.first[range + 1] = contacts.pairs.first[range] + (wraps + 7) / 8;
     contacts.pairs.sparse[range] = false;

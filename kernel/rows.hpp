@@ -2,28 +2,25 @@
 //
 // What a contact needs of its two particles lies at random places. A particle's values are one padded row (4 doubles:
 // a vector and a pad; 8 doubles: velocity, pad, r times angular velocity, pad); W rows are loaded whole and transposed
-// in registers, which costs a third of as many gathers. Force rows go the other way. Rows are named by 16-bit offsets
-// relative to the first row of the chunk, 8 times the row's number, so that no address needs a shift.
+// in registers, which costs a third of as many gathers. Force rows go the other way. Rows are named by offsets relative
+// to the first row of the chunk, 8 times the row's number, so that no address needs a shift.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "lanes.hpp"
 
 namespace fixdem {
 
-using RowOffset = std::uint16_t;
-
-/// Greatest number of rows that offsets can name.
-inline constexpr int nameable_rows = 8192;
-
-constexpr RowOffset row_offset(int number) { return static_cast<RowOffset>(8 * number); }
-constexpr int row_number(RowOffset offset) { return offset / 8; }
+/// Offset of a row among `rows` of them: 16 bits up to 8192 rows, which serves pipes up to 17 particles wide.
+template <int rows>
+using RowOffset = std::conditional_t<(rows <= 8192), std::uint16_t, std::uint32_t>;
 
 /// The row of an array with rows of 4 or 8 doubles.
-template <int Width>
-FIXDEM_INLINE const double* row_at(const double* rows, RowOffset offset) {
+template <int Width, class Offset>
+FIXDEM_INLINE const double* row_at(const double* rows, Offset offset) {
   static_assert(Width == 4 || Width == 8);
   return reinterpret_cast<const double*>(reinterpret_cast<const char*>(rows) +
                                          (Width == 8 ? 8 : 4) * std::size_t{offset});
@@ -158,8 +155,8 @@ struct RowLanes<8> {
 #endif
 
 /// Vectors of the rows `offset` of an array with rows of 4.
-template <int W>
-FIXDEM_INLINE Vec3<Lanes<W>> load_vectors(const double* rows, const RowOffset* offset) {
+template <int W, class Offset>
+FIXDEM_INLINE Vec3<Lanes<W>> load_vectors(const double* rows, const Offset* offset) {
   if constexpr (W == 1) {
     const double* r = row_at<4>(rows, offset[0]);
     return {r[0], r[1], r[2]};
@@ -169,9 +166,9 @@ FIXDEM_INLINE Vec3<Lanes<W>> load_vectors(const double* rows, const RowOffset* o
 }
 
 /// Vectors a - b of two sets of rows of 4.
-template <int W>
-FIXDEM_INLINE Vec3<Lanes<W>> load_differences(const double* rows_a, const RowOffset* a, const double* rows_b,
-                                              const RowOffset* b) {
+template <int W, class Offset>
+FIXDEM_INLINE Vec3<Lanes<W>> load_differences(const double* rows_a, const Offset* a, const double* rows_b,
+                                              const Offset* b) {
   if constexpr (W == 1) {
     const double *p = row_at<4>(rows_a, a[0]), *q = row_at<4>(rows_b, b[0]);
     return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
@@ -182,8 +179,8 @@ FIXDEM_INLINE Vec3<Lanes<W>> load_differences(const double* rows_a, const RowOff
 }
 
 /// Motion of the rows `offset` of an array with rows of 8.
-template <int W>
-FIXDEM_INLINE Motion<Lanes<W>> load_motion(const double* rows, const RowOffset* offset) {
+template <int W, class Offset>
+FIXDEM_INLINE Motion<Lanes<W>> load_motion(const double* rows, const Offset* offset) {
   if constexpr (W == 8) {
     return RowLanes<W>::motions([&](int k) { return load<Lanes<W>>(row_at<8>(rows, offset[k])); });
   } else if constexpr (W == 4) {
@@ -196,9 +193,9 @@ FIXDEM_INLINE Motion<Lanes<W>> load_motion(const double* rows, const RowOffset* 
 }
 
 /// Velocity a - b and spin a + b of two sets of rows of 8: what the surface velocity of a contact is made of.
-template <int W>
-FIXDEM_INLINE Motion<Lanes<W>> load_motion_of_pairs(const double* rows_a, const RowOffset* a, const double* rows_b,
-                                                    const RowOffset* b) {
+template <int W, class Offset>
+FIXDEM_INLINE Motion<Lanes<W>> load_motion_of_pairs(const double* rows_a, const Offset* a, const double* rows_b,
+                                                    const Offset* b) {
   using V = Lanes<W>;
   if constexpr (W == 8) {
     const V sign{-1, -1, -1, -1, 1, 1, 1, 1};

@@ -88,9 +88,9 @@ void step(State<Case>& s) {
     else
       pair_contacts<Case, W, false>(s.contacts, s.particles, range, row, s.watch);
   };
-  if constexpr (Derived<Case>::is_periodic) pairs(Cap::chunks, Contacts<Case>::wrap_first_row);
+  if constexpr (Derived<Case>::is_periodic) pairs(Cap::chunks, Rows<Case>::wrap_first);
   for (int chunk = 0; chunk < Cap::chunks; ++chunk) {
-    int row = Contacts<Case>::first_row(chunk);
+    int row = Rows<Case>::first(chunk);
     pairs(chunk, row);
     row += 8 * (s.contacts.pairs.first[chunk + 1] - s.contacts.pairs.first[chunk]);
     if constexpr (Case::has_wall) {

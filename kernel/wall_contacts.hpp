@@ -10,8 +10,8 @@
 namespace fixdem {
 
 /// Geometry of one batch of near walls; `Surface` gives overlap and outward normal from positions.
-template <class Case, int W, class Surface>
-FIXDEM_INLINE void wall_geometry(const RowOffset* owner, const double* rows, int valid, ContactGeometry& g,
+template <class Case, int W, class Surface, class Offset>
+FIXDEM_INLINE void wall_geometry(const Offset* owner, const double* rows, int valid, ContactGeometry& g,
                                  ContactWatch<W>& watch) {
   using V = Lanes<W>;
   for (int lane = 0; lane < 8; lane += W) {
@@ -62,7 +62,7 @@ void wall_contacts(Walls& walls, const Particles<Case>& particles, double* all_r
       wall_geometry<Case, W, Surface>(walls.owner[group + b], particles.position[base],
                                       walls.count[chunk] - 8 * (group + b - first), geometry[b], watch);
     for (int b = 0; b < size; ++b) {
-      const RowOffset* owner = walls.owner[group + b];
+      const auto* owner = walls.owner[group + b];
       double(*history)[8] = detail::history_of<Law::history_size>(walls, group + b);
       double* rows = all_rows + (row + 8 * (group + b - first)) * width;
       for (int lane = 0; lane < 8; lane += W) {

@@ -30,7 +30,7 @@ struct shortest_pipe : cases::pipe_bed {
 /// Several hundred particles stand beside each other.
 struct wide_pipe : cases::pipe_bed {
   static constexpr int particle_count = 1000;
-  static constexpr double pipe_diameter = 20 * diameter, pipe_length = 7 * diameter;
+  static constexpr double pipe_diameter = 16 * diameter, pipe_length = 11 * diameter;
 };
 
 TEST_CASE("agreement: gravity, friction, ledger, capacity, damping mass") {
@@ -49,7 +49,7 @@ TEST_CASE("agreement: a periodic pipe of four diameters") {
 
 TEST_CASE("agreement: a wide pipe") {
   const Spheres spheres = random_spheres<wide_pipe>(1.0, Random(seed()));
-  check_after<wide_pipe>(spheres, 3000, "pipe of 20 diameters");
+  check_after<wide_pipe>(spheres, 3000, "pipe of 16 diameters");
 }
 
 }  // namespace

@@ -20,27 +20,31 @@ struct elastic : cases::collide_pair {
   static constexpr bool has_wall = false;
   static constexpr Ends ends = Ends::closed;
   static constexpr double gravity[3] = {0, 0, 0};
-  static constexpr double pipe_diameter = 1, pipe_length = 1;
+  static constexpr double pipe_length = 1;
 };
 struct glass_pair : elastic {
   static constexpr int particle_count = 2;
-  static constexpr double diameter = 0.020, density = 2800, youngs_modulus = 48e9, poisson_ratio = 0.20;
+  static constexpr double pipe_diameter = 0.1, diameter = 0.020, density = 2800, youngs_modulus = 48e9,
+                          poisson_ratio = 0.20;
   static constexpr double time_step = 40.340e-6 / 1000;
 };
 struct limestone_pair : elastic {
   static constexpr int particle_count = 2;
-  static constexpr double diameter = 0.020, density = 2500, youngs_modulus = 20e9, poisson_ratio = 0.25;
+  static constexpr double pipe_diameter = 0.1, diameter = 0.020, density = 2500, youngs_modulus = 20e9,
+                          poisson_ratio = 0.25;
   static constexpr double time_step = 54.201e-6 / 1000;
 };
 struct aluminium_wall : elastic {
   static constexpr int particle_count = 1;
-  static constexpr double diameter = 0.2, density = 2699, youngs_modulus = 70e9, poisson_ratio = 0.30;
+  static constexpr double pipe_diameter = 1, diameter = 0.2, density = 2699, youngs_modulus = 70e9,
+                          poisson_ratio = 0.30;
   static constexpr double wall_youngs_modulus = __builtin_inf();
   static constexpr double time_step = 731.66e-6 / 1000;
 };
 struct magnesium_wall : elastic {
   static constexpr int particle_count = 1;
-  static constexpr double diameter = 0.2, density = 1800, youngs_modulus = 40e9, poisson_ratio = 0.35;
+  static constexpr double pipe_diameter = 1, diameter = 0.2, density = 1800, youngs_modulus = 40e9,
+                          poisson_ratio = 0.35;
   static constexpr double wall_youngs_modulus = __builtin_inf();
   static constexpr double time_step = 767.07e-6 / 1000;
 };
@@ -103,7 +107,7 @@ struct aluminium_oxide : cases::oblique_wall {
   static constexpr double wall_youngs_modulus = __builtin_inf(), restitution = 1, friction = 0.092;
   static constexpr bool has_wall = false;
   static constexpr Ends ends = Ends::closed;
-  static constexpr double pipe_diameter = 0.2, pipe_length = 0.1;
+  static constexpr double pipe_diameter = 0.025, pipe_length = 0.1;
   static constexpr double gravity[3] = {0, 0, 0};
   static constexpr TangentialLaw tangential = TangentialLaw::displacement;
   static constexpr Slider slider = Slider::clip;

@@ -17,7 +17,7 @@ struct impact_scene : cases::collide_wall {
   static constexpr int particle_count = wall_impacts + 2 * pair_impacts;
   static constexpr bool has_wall = false;
   static constexpr Ends ends = Ends::closed;
-  static constexpr double pipe_length = 0.4;
+  static constexpr double pipe_diameter = 5 * diameter, pipe_length = 40 * diameter;
   static constexpr double gravity[3] = {0, 0, 0};
   static constexpr double time_step = 1e-7;  // about 1/700 of the contact time
 };

@@ -64,7 +64,7 @@ void check_dropped_balls() {
 struct grain_in_gas : cases::drag_single {
   static constexpr int particle_count = 1;
   static constexpr double diameter = 100e-6, density = 2000;
-  static constexpr double pipe_diameter = 0.002, pipe_length = 0.02;
+  static constexpr double pipe_diameter = 0.001, pipe_length = 0.02;
   static constexpr Ends ends = Ends::periodic;
   static constexpr double gas_velocity = 0.4, gas_density = 1.2, gas_viscosity = 1.8e-5 / 1.2;
   static constexpr int gas_update_interval = 1, slice_count = 100;

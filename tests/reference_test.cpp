@@ -3,7 +3,9 @@
 
 #include <utility>
 
-#include "acceptance_scenes.hpp"
+#include "chung_ooi_scenes.hpp"
+#include "mfix_scenes.hpp"
+#include "restitution_scenes.hpp"
 
 namespace fixdem::tests {
 namespace {

@@ -45,7 +45,7 @@ struct impacts : Material {
   static constexpr Integrator integrator = chosen;
   static constexpr bool has_wall = false;
   static constexpr Ends ends = Ends::closed;
-  static constexpr double pipe_diameter = 30 * Material::diameter;
+  static constexpr double pipe_diameter = 5 * Material::diameter;
   static constexpr double pipe_length = 40 * Material::diameter;
   static constexpr double gravity[3] = {0, 0, 0};
   static constexpr double time_step = Material::shortest_contact / (chosen == Integrator::euler ? 1000 : 200);

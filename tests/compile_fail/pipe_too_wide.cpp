@@ -1,4 +1,4 @@
-// expected: fixdem: force rows are numbered in 16 bits: lower [capacity] neighbours
+// expected: fixdem: too many force rows in a chunk
 #include "base.hpp"
 
 namespace fixdem::compile_fail {

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <regex>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -38,6 +37,13 @@ void flush_folder(const std::filesystem::path& folder) {
   if (descriptor < 0) return;
   ::fsync(descriptor);
   ::close(descriptor);
+}
+
+/// frame_000123.vtp, as FrameWriter names them
+bool is_frame(const std::string& name) {
+  constexpr std::string_view begin = "frame_", end = ".vtp";
+  if (name.size() < begin.size() + 6 + end.size() || !name.starts_with(begin) || !name.ends_with(end)) return false;
+  return name.find_first_not_of("0123456789", begin.size()) == name.size() - end.size();
 }
 
 }  // namespace
@@ -87,10 +93,9 @@ void prepare_folder(const std::filesystem::path& out) {
   for (const char* name : {"final.fixdem", "summary.json", "frames.pvd", "log.csv", "dump.lammpstrj"})
     stale.push_back(out / name);
   const std::filesystem::path frames = out / "frames";
-  const std::regex own_frame("frame_[0-9]{6,}\\.vtp");
   if (std::filesystem::exists(frames, error)) {
     for (const auto& entry : std::filesystem::directory_iterator(frames, error))
-      if (std::regex_match(entry.path().filename().string(), own_frame)) stale.push_back(entry.path());
+      if (is_frame(entry.path().filename().string())) stale.push_back(entry.path());
     if (error) fail("read the folder", frames, error.value());
   }
   for (const auto& path : stale) {
