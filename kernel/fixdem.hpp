@@ -73,16 +73,19 @@ class Simulation {
         for (int c = 0; c < 3; ++c) batches.history.value[batch][c][lane] = sign * unit * history[c];
       };
       if (partner >= 0) {
-        for_each_near_pair(s_.contacts, [&](int batch, int lane, int i, int j) {
-          const int a = s_.particles.id[i], b = s_.particles.id[j];
-          if (a == owner && b == partner) set(s_.contacts.pairs, batch, lane, 1);
-          if (a == partner && b == owner) set(s_.contacts.pairs, batch, lane, -1);
-        });
+        const int i = row_of(owner), j = row_of(partner);
+        const int low = i < j ? i : j, high = i < j ? j : i;
+        const auto set_pair = [&](int batch, int lane, int a, int b) {
+          if (a == low && b == high) set(s_.contacts.pairs, batch, lane, i < j ? 1 : -1);
+        };
+        for_each_near_pair_in(s_.contacts, low / Capacity<Case>::chunk_size, set_pair);
+        if constexpr (D::is_periodic) for_each_near_pair_in(s_.contacts, Capacity<Case>::chunks, set_pair);
         return;
       }
+      const int row = row_of(owner);
       const auto set_wall = [&](auto& walls) {
-        for_each_near_wall<Case>(walls, [&](int batch, int lane, int i) {
-          if (s_.particles.id[i] == owner) set(walls, batch, lane, 1);
+        for_each_near_wall_in<Case>(walls, row / Capacity<Case>::chunk_size, [&](int batch, int lane, int i) {
+          if (i == row) set(walls, batch, lane, 1);
         });
       };
       if constexpr (Case::has_wall)
@@ -179,9 +182,10 @@ class Simulation {
   State<Case>& state() { return s_; }  ///< for benchmarks and tests of single stages
 
  private:
-  /// Whole periods that a place lies outside [0, length).
+  /// Whole periods that a place lies outside [0, length). Zero for a place so far off that a fault has been raised.
   static int turns(double z) {
     int n = 0;
+    if (!(abs(z) < farthest_place * Case::pipe_length)) return n;
     while (z - n * Case::pipe_length < 0) --n;
     while (z - n * Case::pipe_length >= Case::pipe_length) ++n;
     return n;

@@ -66,29 +66,36 @@ class KeptHistory {
 template <class Case>
 class KeptHistory<Case, false> {};
 
-/// Visits every real lane of the pair batches: f(batch, lane, owner row, partner row).
+/// Visits every real lane of one range of the pair batches: f(batch, lane, owner row, partner row).
 template <class Case, class F>
-void for_each_near_pair(const Contacts<Case>& contacts, F&& f) {
-  for (int range = 0; range < PairBatches<Case>::ranges; ++range) {
-    const bool wraps = range == Capacity<Case>::chunks;
-    const int owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
-    const int partner_base = wraps ? Rows<Case>::wrap_base : owner_base;
-    for (int k = 0; k < contacts.pairs.count[range]; ++k) {
-      const int batch = contacts.pairs.first[range] + k / 8, lane = k % 8;
-      f(batch, lane, owner_base + Rows<Case>::number(contacts.pairs.owner[batch][lane]),
-        partner_base + Rows<Case>::number(contacts.pairs.partner[batch][lane]));
-    }
+void for_each_near_pair_in(const Contacts<Case>& contacts, int range, F&& f) {
+  const bool wraps = range == Capacity<Case>::chunks;
+  const int owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
+  const int partner_base = wraps ? Rows<Case>::wrap_base : owner_base;
+  for (int k = 0; k < contacts.pairs.count[range]; ++k) {
+    const int batch = contacts.pairs.first[range] + k / 8, lane = k % 8;
+    f(batch, lane, owner_base + Rows<Case>::number(contacts.pairs.owner[batch][lane]),
+      partner_base + Rows<Case>::number(contacts.pairs.partner[batch][lane]));
   }
 }
 
-/// Visits every real lane of the batches of one kind of wall: f(batch, lane, owner row).
+template <class Case, class F>
+void for_each_near_pair(const Contacts<Case>& contacts, F&& f) {
+  for (int range = 0; range < PairBatches<Case>::ranges; ++range) for_each_near_pair_in(contacts, range, f);
+}
+
+/// Visits every real lane of the batches of one kind of wall in one chunk: f(batch, lane, owner row).
+template <class Case, class Walls, class F>
+void for_each_near_wall_in(const Walls& walls, int chunk, F&& f) {
+  for (int k = 0; k < walls.count[chunk]; ++k) {
+    const int batch = walls.first[chunk] + k / 8, lane = k % 8;
+    f(batch, lane, chunk * Capacity<Case>::chunk_size + Rows<Case>::number(walls.owner[batch][lane]));
+  }
+}
+
 template <class Case, class Walls, class F>
 void for_each_near_wall(const Walls& walls, F&& f) {
-  for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
-    for (int k = 0; k < walls.count[chunk]; ++k) {
-      const int batch = walls.first[chunk] + k / 8, lane = k % 8;
-      f(batch, lane, chunk * Capacity<Case>::chunk_size + Rows<Case>::number(walls.owner[batch][lane]));
-    }
+  for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk) for_each_near_wall_in<Case>(walls, chunk, f);
 }
 
 }  // namespace fixdem

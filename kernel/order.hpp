@@ -9,6 +9,9 @@
 
 namespace fixdem {
 
+/// Periods from the pipe beyond which a place is refused: it takes a broken state to get there between two renewals.
+inline constexpr double farthest_place = 1000;
+
 /// Brings z into [0, length) of a periodic pipe and counts the crossings.
 template <class Case>
 void wrap_into_pipe(Particles<Case>& particles) {

@@ -243,8 +243,8 @@ Status check_places(const Particles<Case>& p) {
     const double q = sqrt(x[0] * x[0] + x[1] * x[1]);
     if (Case::has_wall && q > Derived<Case>::pipe_radius)
       return {Fault::outside_pipe, 0, p.id[i], q, Derived<Case>::pipe_radius};
-    if (Derived<Case>::is_periodic && !(x[2] > -1000 * Case::pipe_length && x[2] < 1000 * Case::pipe_length))
-      return {Fault::outside_pipe, 0, p.id[i], x[2], 1000 * Case::pipe_length};
+    if (Derived<Case>::is_periodic && !(abs(x[2]) < farthest_place * Case::pipe_length))
+      return {Fault::outside_pipe, 0, p.id[i], x[2], farthest_place * Case::pipe_length};
     if (Derived<Case>::has_ends && (x[2] < 0 || x[2] > Case::pipe_length))
       return {Fault::outside_pipe, 0, p.id[i], x[2], Case::pipe_length};
   }

@@ -83,7 +83,7 @@ Events check_agreement(const HandOver& state, const char* what) {
       CHECK(std::isfinite(dx[k] + a.velocity[k] - b.velocity[k] + a.angular_velocity[k] - b.angular_velocity[k]));
     }
   }
-  INFO(what, ": ", events.begun, " contacts begun, ", events.ended, " ended");
+  INFO(std::string(what), ": ", events.begun, " contacts begun, ", events.ended, " ended");
   CHECK(position < position_tolerance);
   CHECK(velocity < velocity_tolerance);
   CHECK(spin < spin_tolerance);
@@ -98,11 +98,14 @@ Events check_agreement(const HandOver& state, const char* what) {
     const auto b = slow.energy();
     const double scale = b.kinetic + std::abs(b.dissipated_damping) + std::abs(b.dissipated_sliding) +
                          std::abs(b.gravity_work) + std::abs(b.gas_work);
-    CHECK(std::abs(a.kinetic - b.kinetic) <= energy_tolerance * scale);
-    CHECK(std::abs(a.dissipated_damping - b.dissipated_damping) <= energy_tolerance * scale);
-    CHECK(std::abs(a.dissipated_sliding - b.dissipated_sliding) <= energy_tolerance * scale);
-    CHECK(std::abs(a.gravity_work - b.gravity_work) <= energy_tolerance * scale);
-    CHECK(std::abs(a.gas_work - b.gas_work) <= energy_tolerance * scale);
+    // Gravity's work is a difference of sums of heights, which round to 1e-16 of themselves.
+    const double rounding = 1e-14 * Derived<Case>::mass * 10 * Case::pipe_diameter * Case::particle_count;
+    const double tolerance = energy_tolerance * scale + rounding;
+    CHECK(std::abs(a.kinetic - b.kinetic) <= tolerance);
+    CHECK(std::abs(a.dissipated_damping - b.dissipated_damping) <= tolerance);
+    CHECK(std::abs(a.dissipated_sliding - b.dissipated_sliding) <= tolerance);
+    CHECK(std::abs(a.gravity_work - b.gravity_work) <= tolerance);
+    CHECK(std::abs(a.gas_work - b.gas_work) <= tolerance);
   }
   if constexpr (Case::has_gas) {
     for (int s = 0; s < Case::slice_count; ++s) {

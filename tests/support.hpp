@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <type_traits>
 
 #include "kernel/case.hpp"
@@ -57,7 +58,8 @@ void start(Solver& solver) {
     solver.start();
   } else {
     const auto status = solver.start();
-    REQUIRE_MESSAGE(status.ok(), describe(status.fault), ": particle ", status.particle, ", value ", status.value);
+    REQUIRE_MESSAGE(status.ok(), std::string(describe(status.fault)), ": particle ", status.particle, ", value ",
+                    status.value);
   }
 }
 
@@ -68,8 +70,8 @@ void run(Solver& solver, long long steps) {
     solver.run(steps);
   } else {
     const auto status = solver.run(steps);
-    REQUIRE_MESSAGE(status.ok(), describe(status.fault), ": particle ", status.particle, ", value ", status.value,
-                    " at step ", status.step);
+    REQUIRE_MESSAGE(status.ok(), std::string(describe(status.fault)), ": particle ", status.particle, ", value ",
+                    status.value, " at step ", status.step);
   }
 }
 

@@ -1,4 +1,5 @@
-// Frames that ParaView and OVITO open: one VTP file each (VTK XML PolyData) and frames.pvd, which gives their times.
+// Frames for ParaView: one VTP file each (VTK XML PolyData) and frames.pvd, which gives their times. (OVITO reads VTP
+// only with the data inside the XML elements: for OVITO there is dump.hpp.)
 //
 // VTK writes this format too, but as a dependency it is a hundred times larger than this program; what is needed here
 // is a short XML header and the arrays as raw appended binary data, each preceded by its size in bytes as UInt64.
