@@ -130,7 +130,7 @@ double solve_slices(GasSlices<Case>& gas, int first) {
   alignas(64) double residuals[W];
   store(residuals, residual);
   double greatest = 0;
-  for (double r : residuals) greatest = r <= greatest ? greatest : r;  // a NaN is kept
+  for (double r : residuals) greatest = greatest >= r || greatest != greatest ? greatest : r;  // a NaN is kept
   return greatest;
 }
 

@@ -31,7 +31,7 @@ TEST_CASE("agreement: the agitated start of pipe_bed") {
   HandOver start;
   start.spheres = spheres;
   check_agreement<cases::pipe_bed>(start, "pipe_bed from its first step, N = 1000");
-  const Events events = check_after<cases::pipe_bed>(spheres, 10000, "pipe_bed after 20 ms, N = 1000");
+  const Events events = check_after<cases::pipe_bed>(spheres, 5000, "pipe_bed after 10 ms, N = 1000");
   CHECK(events.begun > 100);
   CHECK(events.ended > 100);
   CHECK(events.sliding > 50);

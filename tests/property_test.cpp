@@ -14,7 +14,6 @@ namespace {
 struct cloud : cases::pipe_bed {
   static constexpr int particle_count = 76;
   static constexpr double pipe_length = 0.4;
-  static constexpr int slice_count = 40;
   static constexpr bool has_wall = false;
   static constexpr double gravity[3] = {0, 0, 0};
 };

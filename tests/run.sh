@@ -29,6 +29,15 @@ export -f run_file
 
 grep -lE '^ *(TEST_CASE|TEST_SUITE|SCENARIO)' tests/*.cpp | xargs -n 1 basename | sed 's/\.cpp$//' |
   xargs -P "$cores" -I '{}' bash -c 'run_file {}'
+
+# No test case may be lost on the way from the program to the sum.
+counted=$(cat "$reports"/*.count | awk '{ sum += $1 + $2 } END { print sum + 0 }')
+known=$("$build/tests" --count | sed -n 's/.*filters: *//p')
+if [[ $counted != "$known" ]]; then
+  echo "tests/run.sh: the program knows $known test cases, and $counted were run"
+  echo "0 1" >"$reports/lost.count"
+fi
+
 tests/compile_fail/run.sh "$reports/compile_fail.count" "$@" || true
 
 cat "$reports"/*.count | awk '{ passed += $1; failed += $2 } END { print passed + 0 " passed, " failed + 0 " failed"; exit passed == 0 || failed > 0 }'

@@ -18,6 +18,10 @@
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Warray-bounds"
 #endif
+// Numbers of particles are int, here as in the kernel; clang counts their use as an index to -Wconversion.
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wsign-conversion"
+#endif
 
 namespace fixdem::tests {
 

@@ -12,6 +12,11 @@
 
 #include "kernel/case.hpp"
 
+// Numbers of particles are int; clang counts their use as an index to -Wconversion.
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wsign-conversion"
+#endif
+
 namespace fixdem::reference {
 
 template <class Scalar>

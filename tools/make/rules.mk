@@ -84,7 +84,8 @@ build-tidy: $(tidy_sources:%=$(build)/tidy/%.ok)
 $(build)/tidy/%.ok: % .clang-tidy $(build)/cases/plug_u24.hpp
 	@mkdir -p $(@D)
 	$(call say,clang-tidy $<)
-	$(quiet)clang-tidy --quiet $< -- $(filter-out -march=%,$(tool_flags)) $(call program_defines,plug_u24,plug_u24)
+	$(quiet)clang-tidy --quiet $< -- $(filter-out -march=%,$(tool_flags)) $(call program_defines,plug_u24,plug_u24) \
+	  2> >(grep -v ' warnings generated' >&2)
 	@touch $@
 
 # Runs. SEED goes to the case whose start is random: to CASE itself, or to the one that it starts from; results of a

@@ -20,7 +20,7 @@ PLUGS = {  # plug: the fill it starts from
     "plug_u24_n500": "fill_500",
 }
 BEGIN, END = "<!-- plug table -->", "<!-- end -->"
-MOVING = 0.5  # m/s: the fronts found lie below 0.2 or above 0.8
+MOVING = 0.5  # m/s: no front found lies between 0.25 and 0.85
 RULE = (
     f"Verdict: *moves*: there is a plug whose front moves at {MOVING} m/s or more; *dies*: there is a plug, slower than that; "
     "*collapses*: no plug is left to measure."
@@ -41,7 +41,7 @@ def run(program, out, *options):
 
 
 def number(value, digits):
-    return "-" if value is None else f"{value:.{digits}f}"
+    return "-" if value is None else f"{round(value, digits) + 0.0:.{digits}f}"  # + 0.0: never "-0.000"
 
 
 def row(case, seed, summary):
