@@ -19,6 +19,8 @@ CASE ?= plug_u24
 ARCH ?= native
 SEED ?=
 ARGS ?=
+FILTER ?=
+JSON ?=
 
 include tools/make/variant.mk
 include tools/make/rules.mk
@@ -64,6 +66,15 @@ asm:  ## show the hot loop of CASE's program in assembly
 	$(needs) run
 	$(files) build-program >&2
 	@objdump -d -C --no-show-raw-insn $(case_program) | awk -f tools/make/hot_loop.awk
+
+.PHONY: bench
+bench:  ## time whole steps and their stages (Google Benchmark); FILTER=regex, JSON=file
+	$(needs) run bench
+	$(files) build-bench
+	+@$(MAKE) final-state CASE=pipe_bed OUT= ARGS=
+	+@$(MAKE) final-state CASE=plug_u24 OUT= ARGS=
+	@$(build)/bench $(call results,pipe_bed)/final.fixdem $(call results,plug_u24)/final.fixdem \
+	  $(if $(FILTER),--benchmark_filter='$(FILTER)') $(if $(JSON),--benchmark_out='$(JSON)' --benchmark_out_format=json)
 
 .PHONY: check
 check:  ## formatting, clang-tidy, and the tests under address and undefined-behaviour sanitizers

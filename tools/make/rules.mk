@@ -20,10 +20,11 @@ case_program := $(case_build)/bin/$(case_name)
 results = out/$(1)$(if $(SEED),-seed$(SEED))
 OUT ?= $(call results,$(case_name))
 
-.PHONY: build-program build-cases build-tests build-tidy
+.PHONY: build-program build-cases build-tests build-bench build-tidy
 build-program: $(case_program)
 build-cases: $(case_names:%=$(build)/bin/%)
 build-tests: build-cases $(build)/tests
+build-bench: $(build)/bench
 
 # casegen, and the library that all programs share.
 objects = $(patsubst %.cpp,$(build)/objects/%.o,$(1))
@@ -77,6 +78,17 @@ $(build)/tests: $(test_objects) $(run_objects)
 	@mkdir -p $(build)/scratch
 	$(call say,link $@)
 	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -o $@
+
+# Benchmarks: compiled like the programs, because it is those that are timed.
+bench_objects := $(call objects,$(wildcard bench/*.cpp))
+$(build)/objects/bench/%.o: bench/%.cpp tools/make/variant.mk | $(case_names:%=$(build)/cases/%.hpp)
+	@mkdir -p $(@D)
+	$(call say,compile $<)
+	$(compile) $(program_flags) -c $< -o $@
+
+$(build)/bench: $(bench_objects) $(run_objects)
+	$(call say,link $@)
+	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -lbenchmark -lpthread -o $@
 
 # clang-tidy: the tools, and the kernel as one case instantiates it.
 tidy_sources := $(wildcard tools/casegen/*.cpp tools/run/*.cpp)
