@@ -79,14 +79,14 @@ bench:  ## time whole steps and their stages (Google Benchmark); FILTER=regex, J
 .PHONY: check
 check:  ## formatting, clang-tidy, and the tests under address and undefined-behaviour sanitizers
 	$(needs) run test check
-	clang-format --dry-run -Werror $(sources)
+	@clang-format --dry-run -Werror $(sources)
 	$(files) build-tidy
 	@$(MAKE) test SAN=1
 
 .PHONY: format
 format:  ## format every source file in place
 	$(needs) check
-	clang-format -i $(sources)
+	@clang-format -i $(sources)
 
 .PHONY: plug-table
 plug-table:  ## run the five plugs from three seeds of each fill and rewrite the table in cases/README.md

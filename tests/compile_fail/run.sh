@@ -8,7 +8,7 @@ set -euo pipefail
 
 count_file=$1
 shift
-command=("$@" -fsyntax-only)
+command=("$@" -fno-exceptions -fno-rtti -fsyntax-only)  # the kernel must do without either
 folder=$(dirname "$0")
 results=$(mktemp)
 trap 'rm -f "$results"' EXIT
