@@ -11,7 +11,10 @@ system_includes := -isystem /usr/include/eigen3 $(foreach p,$(prefixes),-isystem
 libraries := $(foreach p,$(prefixes),-L$p/lib) -lfmt -lxxhash
 
 # SAN=1: stop at the first finding of the address or the undefined-behaviour sanitizer.
-sanitizers := $(if $(SAN),-fsanitize=address -fsanitize=undefined -fno-sanitize-recover=all)
+# Null, alignment and object-size checks are left out: the address sanitizer and the aligned loads of the machine find the
+# same faults, and with them a test file takes 128 s to compile instead of 50.
+sanitizers := $(if $(SAN),-fsanitize=address -fsanitize=undefined -fno-sanitize=null -fno-sanitize=alignment \
+  -fno-sanitize=object-size -fno-sanitize-recover=all)
 warnings := -Wall -Wextra -Wconversion -Wshadow
 common := -std=c++20 $(warnings) -I$(build) -I. $(system_includes) $(if $(SAN),-g) $(sanitizers)
 
