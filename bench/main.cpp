@@ -67,23 +67,27 @@ void one_stage(benchmark::State& state) {
 }
 
 void pair_stage(State<Bed>& s) {
-  pair_contacts<Bed, W, false>(s.contacts, s.particles, Cap::chunks, Rows<Bed>::wrap_first, s.watch);
-  for (int chunk = 0; chunk < Cap::chunks; ++chunk)
-    pair_contacts<Bed, W, false>(s.contacts, s.particles, chunk, Rows<Bed>::first(chunk), s.watch);
+  for (int range = 0; range < PairBatches<Bed>::ranges; ++range)
+    pair_contacts<Bed, W, false>(s.contacts.pairs, s.particles, range, s.contacts.rows[0], s.watch[range]);
 }
 
 void wall_stage(State<Bed>& s) {
   for (int chunk = 0; chunk < Cap::chunks; ++chunk)
-    wall_contacts<Bed, W, PipeSurface<Bed>>(s.contacts.pipe, s.particles, s.contacts.rows, chunk,
-                                            Rows<Bed>::first(chunk) + Cap::chunk_pairs, s.watch);
+    wall_contacts<Bed, W, PipeSurface<Bed>>(s.contacts.pipe, s.particles, chunk, s.contacts.rows[0], s.watch[chunk]);
 }
 
 /// The force rows are what the last two chunks left, so the particles drift; the time does not depend on values.
 void motion_stage(State<Bed>& s) {
-  for (int chunk = 0; chunk < Cap::chunks; ++chunk) move<Bed, W>(s.contacts, s.particles, chunk, s.watch);
+  for (int chunk = 0; chunk < Cap::chunks; ++chunk)
+    move<Bed, W>(s.contacts, s.particles, chunk, s.contacts.rows[0], s.watch[chunk]);
 }
 
-void near_list_stage(State<Bed>& s) { require(renew<Bed, W>(s.contacts, s.near_list, s.particles, s.kept, 0.004, 1)); }
+void near_list_stage(State<Bed>& s) {
+  for (int range = 0; range < PairBatches<Bed>::ranges; ++range)
+    require(list_again<Bed, W>(s.contacts, s.near_list, s.particles, s.scratch, range));
+  for (int chunk = 0; chunk < Cap::chunks; ++chunk)
+    require(list_slots(s.contacts, s.near_list, s.particles, s.scratch, chunk));
+}
 
 template <int N>
 void register_bed() {

@@ -109,12 +109,13 @@ struct Capacity {
   /// list cut of 1.05 d is 12. The case can set it (`[capacity] neighbours`, default 14). Overflow: the run stops.
   static constexpr int neighbours = Case::neighbour_capacity;
 
-  /// Particles in a chunk of the pipe: at least those whose centres can lie within 1.1 d along the axis, so that a
-  /// contact joins a chunk with itself or the next one. That slab packed to 0.70 (random close packing is 0.64), 64
-  /// at least, because smaller chunks waste lanes, and never more than the scene has. Overflow: the run stops.
+  /// Particles in a chunk of the pipe: at least those whose centres can lie within 1.3 d along the axis, so that a
+  /// contact joins a chunk with itself or the next one for as long as the order along the pipe lasts (near_list.hpp).
+  /// That slab packed to 0.70 (random close packing is 0.64), 64 at least, because smaller chunks waste lanes, and
+  /// never more than the scene has. Overflow: the run stops.
   static constexpr int whole_scene = (Case::particle_count + 15) / 16 * 16;
   static constexpr double slab =
-      1.1 * 0.70 * 1.5 * (Case::pipe_diameter / Case::diameter) * (Case::pipe_diameter / Case::diameter) + 20;
+      1.3 * 0.70 * 1.5 * (Case::pipe_diameter / Case::diameter) * (Case::pipe_diameter / Case::diameter) + 20;
   static constexpr int slab_size =
       slab < 64 ? 64 : (slab < whole_scene ? static_cast<int>(slab) / 16 * 16 : whole_scene);
   static constexpr int chunk_size = slab_size < whole_scene ? slab_size : whole_scene;
@@ -126,6 +127,15 @@ struct Capacity {
 
   /// Pairs across the periodic ends: one slab on either side.
   static constexpr int wrap_pairs = chunk_pairs;
+
+  /// Steps that are worked off together (tiles.hpp) where the state of the scene exceeds the caches; each has a ring of
+  /// force rows. At most `order_interval` (near_list.hpp). A case can set it; results do not depend on it.
+  static constexpr int tile_steps = [] {
+    if constexpr (requires { Case::tile_steps; })
+      return Case::tile_steps;
+    else
+      return chunks >= 256 ? 16 : 1;
+  }();
 };
 
 /// Refuses what makes no sense. Casegen refuses the same with file and line; this is for hand-written cases.

@@ -36,12 +36,11 @@ class Simulation {
   Status start() {
     s_.step = 0;
     s_.status = {};
-    s_.watch = {};
+    for (auto& watch : s_.watch) watch = {};
     s_.near_list.most_neighbours = s_.near_list.most_chunk_pairs = s_.near_list.most_wrap_pairs = 0;
     s_.near_list.most_reach = 0;
-    s_.near_list.renewals = 0;
+    s_.near_list.listings = s_.near_list.sorts = 0;
     clear_contacts();
-    double speed = 0;
     for (int i = 0; i < count; ++i) {
       s_.particles.id[i] = i;
       s_.particles.image[i] = 0;
@@ -56,9 +55,8 @@ class Simulation {
         for (int c = 0; c < 4; ++c) x[c] += 0.5 * Case::time_step * v[c], s_.particles.last_kick.row[i][c] = 0;
       if constexpr (Case::has_gas)
         for (int c = 0; c < 4; ++c) s_.particles.gas_kick.row[i][c] = 0;
-      speed = max(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), speed);
     }
-    s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.kept, speed, count);
+    s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.kept, s_.scratch, count);
     if (s_.status.ok()) s_.status = deepest();
     for (int c = 0; c < 3; ++c) start_place_[c] = place_sum(c);
     return s_.status;
@@ -97,7 +95,7 @@ class Simulation {
 
   /// Advances by `steps` time steps, or to the first fault. After a fault it does nothing more.
   Status run(long long steps) {
-    for (long long k = 0; k < steps && s_.status.ok(); ++k) fixdem::step<Case, W>(s_);
+    advance<Case, W>(s_, steps);
     if (s_.status.fault == Fault::overlap && s_.status.particle < 0) s_.status.particle = deepest().particle;
     return s_.status;
   }
@@ -141,10 +139,14 @@ class Simulation {
     Energy e{};
     e.kinetic = o.kinetic_translation + o.kinetic_rotation;
     detail::for_each_observed(s_, [&](const detail::Observed<Case>& seen) { e.elastic += seen.elastic; });
-    e.dissipated_damping = D::mass * Watch::sum(s_.watch.damping_power);
-    e.dissipated_sliding = D::mass / Case::time_step * Watch::sum(s_.watch.sliding_work);
+    if constexpr (Case::energy_ledger) {
+      for (const Watch<Case>& watch : s_.watch) {
+        e.dissipated_damping += D::mass * sum_of(watch.ledger.damping_power);
+        e.dissipated_sliding += D::mass / Case::time_step * sum_of(watch.ledger.sliding_work);
+        e.gas_work += D::mass * sum_of(watch.ledger.gas_work);
+      }
+    }
     for (int c = 0; c < 3; ++c) e.gravity_work += D::mass * Case::gravity[c] * (place_sum(c) - start_place_[c]);
-    e.gas_work = D::mass * Watch::sum(s_.watch.gas_work);
     return e;
   }
 
@@ -176,8 +178,9 @@ class Simulation {
         return {"chunk_size", Cap::chunk_size, near.most_reach};
     }
   }
-  /// How often the near list was renewed.
-  long long renewals() const { return s_.near_list.renewals; }
+  /// How often particles were sorted along the pipe, and how often a single range of pairs was listed anew.
+  long long sorts() const { return s_.near_list.sorts; }
+  long long listings() const { return s_.near_list.listings; }
 
   State<Case>& state() { return s_; }  ///< for benchmarks and tests of single stages
 
@@ -204,7 +207,8 @@ class Simulation {
       if constexpr (D::has_ends) s_.contacts.ends.count[c] = 0;
     }
     if constexpr (D::has_friction) s_.kept.clear();
-    for (double& r : s_.contacts.rows) r = 0;
+    for (auto& ring : s_.contacts.rows)
+      for (double& r : ring) r = 0;
   }
 
   /// The contact with the greatest overlap, as a fault where it is beyond the limit.

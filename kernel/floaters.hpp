@@ -2,8 +2,8 @@
 //
 // Only particles without a listed near pair are looked at: a listed pair was within d + margin when the list was made
 // and is within d + 2 margin < 1.1 d now. For the others the neighbours along z are compared, from the nearest on,
-// until z differs by more than the reach and what the list's promise allows the order to have changed. So the answer
-// depends on the present positions alone, never on when the list was renewed.
+// until z differs by more than the reach and what the order along the pipe may have changed since it was made. So the
+// answer depends on the present positions alone, never on when the list was renewed.
 #pragma once
 
 #include "gas_slices.hpp"
@@ -16,7 +16,7 @@ namespace detail {
 template <class Case>
 bool has_company(const Particles<Case>& p, int i, int step) {
   constexpr double reach = near_reach * Case::diameter;
-  constexpr double window = reach + greatest_margin * Case::diameter;
+  constexpr double window = reach + 2 * order_slack * Case::diameter;  // both this and the next one may have moved
   const double* a = p.position[i];
   double shift = 0;
   for (int j = i + step, seen = 1; seen < Case::particle_count; j += step, ++seen) {

@@ -1,7 +1,7 @@
 // Contact histories by particle number, while contacts are renumbered.
 //
-// Renewing the near list moves contacts to other batches and can exchange owner and partner. Before, every history that
-// is not zero is put here under the input number of its owner; after, each new pair asks for its own. Seen from the
+// Sorting moves contacts to other batches and can exchange owner and partner. Before, every history that is not zero is
+// put here under the input number of its owner; after, each new pair asks for its own. Seen from the
 // other side the tangential displacement changes sign: slip and normal both do. Capacity is that of the batches
 // themselves.
 #pragma once
@@ -40,6 +40,9 @@ class KeptHistory {
     for (int c = 0; c < size; ++c) value[c][lane] = 0;
   }
 
+  const double* of_pipe(int id) const { return pipe[id]; }
+  const double* of_end(int id) const { return ends[id]; }
+
   double pipe[Case::particle_count][size];  ///< of the pipe wall, by input number
   double ends[Case::particle_count][size];  ///< of an end wall
 
@@ -64,7 +67,11 @@ class KeptHistory {
 
 /// Without friction there is nothing to keep.
 template <class Case>
-class KeptHistory<Case, false> {};
+class KeptHistory<Case, false> {
+ public:
+  const double* of_pipe(int) const { return nullptr; }
+  const double* of_end(int) const { return nullptr; }
+};
 
 /// Visits every real lane of one range of the pair batches: f(batch, lane, owner row, partner row).
 template <class Case, class F>
@@ -73,7 +80,7 @@ void for_each_near_pair_in(const Contacts<Case>& contacts, int range, F&& f) {
   const int owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
   const int partner_base = wraps ? Rows<Case>::wrap_base : owner_base;
   for (int k = 0; k < contacts.pairs.count[range]; ++k) {
-    const int batch = contacts.pairs.first[range] + k / 8, lane = k % 8;
+    const int batch = PairBatches<Case>::first(range) + k / 8, lane = k % 8;
     f(batch, lane, owner_base + Rows<Case>::number(contacts.pairs.owner[batch][lane]),
       partner_base + Rows<Case>::number(contacts.pairs.partner[batch][lane]));
   }
@@ -88,7 +95,7 @@ void for_each_near_pair(const Contacts<Case>& contacts, F&& f) {
 template <class Case, class Walls, class F>
 void for_each_near_wall_in(const Walls& walls, int chunk, F&& f) {
   for (int k = 0; k < walls.count[chunk]; ++k) {
-    const int batch = walls.first[chunk] + k / 8, lane = k % 8;
+    const int batch = Walls::first(chunk) + k / 8, lane = k % 8;
     f(batch, lane, chunk * Capacity<Case>::chunk_size + Rows<Case>::number(walls.owner[batch][lane]));
   }
 }

@@ -25,17 +25,28 @@ struct RowSum {
   }
 };
 
-/// Per-step partial values that the motion loop keeps in registers.
+/// Partial values of the watch that the motion loop keeps in registers.
 template <class Case, int W>
 struct MotionWatch {
   static constexpr int width = Particles<Case>::motion_width, step = RowSum<width, W>::step;
-  Partials<step, width> motion_square, square_sum, gas_work;
-  FIXDEM_INLINE explicit MotionWatch(const Watch& watch)
-      : motion_square(watch.motion_square), square_sum(watch.square_sum), gas_work(watch.gas_work) {}
-  FIXDEM_INLINE void put_back(Watch& watch) const {
+  Partials<step, width> motion_square, square_sum;
+  FIXDEM_INLINE explicit MotionWatch(const Watch<Case>& watch)
+      : motion_square(watch.motion_square), square_sum(watch.square_sum) {}
+  FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
     motion_square.put_back(watch.motion_square);
     square_sum.put_back(watch.square_sum);
-    gas_work.put_back(watch.gas_work);
+  }
+};
+template <class Case, int W>
+requires(Case::energy_ledger&& Case::has_gas) struct MotionWatch<Case, W> {
+  static constexpr int width = Particles<Case>::motion_width, step = RowSum<width, W>::step;
+  Partials<step, width> motion_square, square_sum, gas_work;
+  FIXDEM_INLINE explicit MotionWatch(const Watch<Case>& watch)
+      : motion_square(watch.motion_square), square_sum(watch.square_sum), gas_work(watch.ledger.gas_work) {}
+  FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
+    motion_square.put_back(watch.motion_square);
+    square_sum.put_back(watch.square_sum);
+    gas_work.put_back(watch.ledger.gas_work);
   }
 };
 
@@ -102,12 +113,13 @@ FIXDEM_INLINE void move_buckets_from(const Offset* entry, const int* bucket, int
 
 }  // namespace detail
 
-/// Sums the rows of every particle of one chunk and moves it.
+/// Sums the rows of every particle of one chunk and moves it. `rows`: the ring of the step.
 template <class Case, int W>
-void move(const Contacts<Case>& contacts, Particles<Case>& particles, int chunk, Watch& totals) {
+void move(const Contacts<Case>& contacts, Particles<Case>& particles, int chunk, const double* rows,
+          Watch<Case>& totals) {
   detail::MotionWatch<Case, W> watch(totals);
-  detail::move_buckets_from<Case, W, 0>(contacts.slots + contacts.first_slot[chunk], contacts.bucket[chunk],
-                                        chunk * Capacity<Case>::chunk_size, contacts.rows, particles, watch);
+  detail::move_buckets_from<Case, W, 0>(contacts.slots[chunk], contacts.bucket[chunk],
+                                        chunk * Capacity<Case>::chunk_size, rows, particles, watch);
   watch.put_back(totals);
 }
 

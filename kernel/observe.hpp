@@ -5,7 +5,7 @@
 // the present velocities. With the leapfrog all is seen at the held positions of the forces; particle() synchronises.
 #pragma once
 
-#include "step.hpp"
+#include "tiles.hpp"
 
 namespace fixdem {
 
@@ -98,7 +98,7 @@ void for_each_observed(const State<Case>& s, F&& f) {
     Vec3<double> r = {p.position[j][0] - p.position[i][0], p.position[j][1] - p.position[i][1],
                       p.position[j][2] - p.position[i][2]};
     if constexpr (Derived<Case>::is_periodic)
-      if (batch >= contacts.pairs.first[Capacity<Case>::chunks]) r.z -= Case::pipe_length;
+      if (batch >= PairBatches<Case>::first(Capacity<Case>::chunks)) r.z -= Case::pipe_length;
     const double distance = sqrt(dot(r, r));
     const double overlap = Case::diameter - distance;
     if (!(overlap > 0)) return;

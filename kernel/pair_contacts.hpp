@@ -13,6 +13,15 @@ namespace fixdem {
 
 inline constexpr int batches_per_group = 8;
 
+/// Eight values for a batch in which only the first lanes count: `inside` in those, `outside` in the others.
+struct LanesUpTo {
+  double value[16];
+  constexpr LanesUpTo(double inside, double outside) : value{} {
+    for (int k = 0; k < 16; ++k) value[k] = k < 8 ? inside : outside;
+  }
+  const double* of(int valid) const { return value + (valid < 8 ? 8 - valid : 0); }
+};
+
 /// What the first stage hands to the second, for one batch.
 struct ContactGeometry {
   alignas(64) double normal[3][8];
@@ -21,16 +30,22 @@ struct ContactGeometry {
   alignas(64) double tangential_stiffness[8];
 };
 
-/// Per-step partial values that the contact loops keep in registers.
-template <int W>
+/// Partial values of the watch that the contact loops keep in registers.
+template <class Case, int W>
 struct ContactWatch {
+  Partials<W> overlap;
+  FIXDEM_INLINE explicit ContactWatch(const Watch<Case>& watch) : overlap(watch.overlap) {}
+  FIXDEM_INLINE void put_back(Watch<Case>& watch) const { overlap.put_back(watch.overlap); }
+};
+template <class Case, int W>
+requires(Case::energy_ledger) struct ContactWatch<Case, W> {
   Partials<W> overlap, damping_power, sliding_work;
-  FIXDEM_INLINE explicit ContactWatch(const Watch& watch)
-      : overlap(watch.overlap), damping_power(watch.damping_power), sliding_work(watch.sliding_work) {}
-  FIXDEM_INLINE void put_back(Watch& watch) const {
+  FIXDEM_INLINE explicit ContactWatch(const Watch<Case>& watch)
+      : overlap(watch.overlap), damping_power(watch.ledger.damping_power), sliding_work(watch.ledger.sliding_work) {}
+  FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
     overlap.put_back(watch.overlap);
-    damping_power.put_back(watch.damping_power);
-    sliding_work.put_back(watch.sliding_work);
+    damping_power.put_back(watch.ledger.damping_power);
+    sliding_work.put_back(watch.ledger.sliding_work);
   }
 };
 
@@ -51,7 +66,8 @@ FIXDEM_INLINE void store_geometry(ContactGeometry& g, int lane, const Vec3<V>& n
 /// relative to its partner and sum of the spins; `kick`: the same difference of the last velocity change (leapfrog).
 template <class Law, class Case, int W>
 FIXDEM_INLINE void contact_rows(const ContactGeometry& g, int lane, const Motion<Lanes<W>>& motion,
-                                const Vec3<Lanes<W>>& kick, double (*kept)[8], double* row, ContactWatch<W>& watch) {
+                                const Vec3<Lanes<W>>& kick, double (*kept)[8], double* row,
+                                ContactWatch<Case, W>& watch) {
   using V = Lanes<W>;
   constexpr bool has_friction = Derived<Case>::has_friction;
   const Vec3<V> n = {load<V>(g.normal[0] + lane), load<V>(g.normal[1] + lane), load<V>(g.normal[2] + lane)};
@@ -110,26 +126,13 @@ FIXDEM_INLINE auto history_of(Batches& batches, int batch) {
 
 }  // namespace detail
 
-/// Where the two sides of a range of pairs start, and the shift of the partner along z.
-template <class Case>
-struct PairRange {
-  int owner_base, partner_base;
-  double shift;
-  explicit PairRange(int range) {
-    const bool wraps =
-        range == Capacity<Case>::chunks;  // the owner is at the start of the pipe, its partner at the end
-    owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
-    partner_base = wraps ? Rows<Case>::wrap_base : owner_base;
-    shift = wraps ? -Case::pipe_length : 0;
-  }
-};
-
-/// Overlap, normal and springs of one batch of pairs; eqs. (16), (21), (26). Lanes from `valid` on are copies and count
-/// as open. With `sparse`, returns false when nothing overlaps, and computes no roots then.
+/// Overlap, normal and springs of one batch of pairs; eqs. (16), (21), (26). `reach`: the diameter in each lane, far
+/// below zero in lanes that are copies and must stay open. With `sparse`, returns false when nothing overlaps, and
+/// computes no roots then.
 template <class Case, int W, bool sparse, class Offset>
 FIXDEM_INLINE bool pair_geometry(const Offset* owner, const Offset* partner, const double* owner_rows,
-                                 const double* partner_rows, double shift, int valid, ContactGeometry& g,
-                                 ContactWatch<W>& watch) {
+                                 const double* partner_rows, double shift, const double* reach, ContactGeometry& g,
+                                 ContactWatch<Case, W>& watch) {
   using V = Lanes<W>;
   Vec3<V> r[8 / W];
   V square[8 / W];
@@ -144,38 +147,38 @@ FIXDEM_INLINE bool pair_geometry(const Offset* owner, const Offset* partner, con
   for (int p = 0; p < 8 / W; ++p) {
     const V distance = sqrt(square[p]);
     const V inverse = 1.0 / distance;
-    const V overlap = keep(lane_numbers<W>(p * W) < static_cast<double>(valid), max(Case::diameter - distance, V{}));
+    const V overlap = max(load_any<V>(reach + p * W) - distance, V{});
     detail::store_geometry<ContactLaw<Case, false>, Case>(g, p * W, scale(inverse, r[p]), overlap);
     watch.overlap.part[p] = max(overlap, watch.overlap.part[p]);
   }
   return true;
 }
 
-/// Force rows of range `range` of the near pairs, written from row `row` on.
+/// Force rows of range `range` of the near pairs, written from `rows` on.
 template <class Case, int W, bool sparse>
-void pair_contacts(Contacts<Case>& contacts, const Particles<Case>& particles, int range, int row, Watch& totals) {
+void pair_contacts(PairBatches<Case>& pairs, const Particles<Case>& particles, int range, double* rows,
+                   Watch<Case>& totals) {
   constexpr int width = Contacts<Case>::row_width;
   using Law = ContactLaw<Case, false>;
-  PairBatches<Case>& pairs = contacts.pairs;
   const PairRange<Case> at(range);
   const double *owner_position = particles.position[at.owner_base], *owner_motion = particles.motion[at.owner_base];
   const double *partner_position = particles.position[at.partner_base],
                *partner_motion = particles.motion[at.partner_base];
-  const int first = pairs.first[range], last = pairs.first[range + 1], count = pairs.count[range];
+  const int count = pairs.count[range], first = PairBatches<Case>::first(range), last = first + batches_for(count);
 
-  ContactWatch<W> watch(totals);
+  static constexpr LanesUpTo reach(Case::diameter, -1e300);
+  ContactWatch<Case, W> watch(totals);
   ContactGeometry geometry[batches_per_group];
   bool touches[batches_per_group];
   for (int group = first; group < last; group += batches_per_group) {
     const int size = last - group < batches_per_group ? last - group : batches_per_group;
     for (int b = 0; b < size; ++b)
       touches[b] = pair_geometry<Case, W, sparse>(pairs.owner[group + b], pairs.partner[group + b], owner_position,
-                                                  partner_position, at.shift, count - 8 * (group + b - first),
+                                                  partner_position, at.shift, reach.of(count - 8 * (group + b - first)),
                                                   geometry[b], watch);
-    for (int b = 0; b < size; ++b) {
+    for (int b = 0; b < size; ++b, rows += 8 * width) {
       const auto *owner = pairs.owner[group + b], *partner = pairs.partner[group + b];
       double(*history)[8] = detail::history_of<Law::history_size>(pairs, group + b);
-      double* rows = contacts.rows + (row + 8 * (group + b - first)) * width;
       if (sparse && !touches[b]) {
         detail::open_rows<Law::history_size, width, W>(history, rows);
         continue;

@@ -15,6 +15,7 @@ enum class Fault {
   outside_pipe,        ///< distance from the axis, or place along a closed pipe, in m
   overlap,             ///< overlap of a contact, in radii
   too_fast,            ///< way of a particle in one step, in radii
+  order_lost,          ///< way of a particle since the order along the pipe was made, in diameters
   gas_unsolved         ///< relative residual of the flow split of a slice
 };
 
@@ -37,6 +38,8 @@ constexpr const char* describe(Fault fault) {
       return "overlap in radii";
     case Fault::too_fast:
       return "distance travelled in one step in radii";
+    case Fault::order_lost:
+      return "sudden travel since particles were sorted, in diameters";
     case Fault::gas_unsolved:
       return "relative residual of the gas flow in a slice";
   }

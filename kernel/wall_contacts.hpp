@@ -9,16 +9,16 @@
 
 namespace fixdem {
 
-/// Geometry of one batch of near walls; `Surface` gives overlap and outward normal from positions.
+/// Geometry of one batch of near walls; `Surface` gives overlap and outward normal from positions. `excess`: zero, and
+/// far above in lanes that are copies and must stay open.
 template <class Case, int W, class Surface, class Offset>
-FIXDEM_INLINE void wall_geometry(const Offset* owner, const double* rows, int valid, ContactGeometry& g,
-                                 ContactWatch<W>& watch) {
+FIXDEM_INLINE void wall_geometry(const Offset* owner, const double* rows, const double* excess, ContactGeometry& g,
+                                 ContactWatch<Case, W>& watch) {
   using V = Lanes<W>;
   for (int lane = 0; lane < 8; lane += W) {
     const Vec3<V> position = load_vectors<W>(rows, owner + lane);
     Vec3<V> normal;
-    V overlap = Surface::overlap(position, normal);
-    overlap = keep(lane_numbers<W>(lane) < static_cast<double>(valid), max(overlap, V{}));
+    const V overlap = max(Surface::overlap(position, normal) - load_any<V>(excess + lane), V{});
     detail::store_geometry<ContactLaw<Case, true>, Case>(g, lane, normal, overlap);
     watch.overlap.part[lane / W] = max(overlap, watch.overlap.part[lane / W]);
   }
@@ -46,25 +46,24 @@ struct EndSurfaces {
   }
 };
 
-/// Force rows of the near walls of one kind in one chunk, written from row `row` on.
+/// Force rows of the near walls of one kind in one chunk, written from `rows` on.
 template <class Case, int W, class Surface, class Walls>
-void wall_contacts(Walls& walls, const Particles<Case>& particles, double* all_rows, int chunk, int row,
-                   Watch& totals) {
+void wall_contacts(Walls& walls, const Particles<Case>& particles, int chunk, double* rows, Watch<Case>& totals) {
   using Law = ContactLaw<Case, true>;
   constexpr int width = Particles<Case>::motion_width;
   const int base = chunk * Capacity<Case>::chunk_size;
-  const int first = walls.first[chunk], last = walls.first[chunk + 1];
-  ContactWatch<W> watch(totals);
+  const int count = walls.count[chunk], first = Walls::first(chunk), last = first + batches_for(count);
+  static constexpr LanesUpTo excess(0.0, 1e300);
+  ContactWatch<Case, W> watch(totals);
   ContactGeometry geometry[batches_per_group];
   for (int group = first; group < last; group += batches_per_group) {
     const int size = last - group < batches_per_group ? last - group : batches_per_group;
     for (int b = 0; b < size; ++b)
       wall_geometry<Case, W, Surface>(walls.owner[group + b], particles.position[base],
-                                      walls.count[chunk] - 8 * (group + b - first), geometry[b], watch);
-    for (int b = 0; b < size; ++b) {
+                                      excess.of(count - 8 * (group + b - first)), geometry[b], watch);
+    for (int b = 0; b < size; ++b, rows += 8 * width) {
       const auto* owner = walls.owner[group + b];
       double(*history)[8] = detail::history_of<Law::history_size>(walls, group + b);
-      double* rows = all_rows + (row + 8 * (group + b - first)) * width;
       for (int lane = 0; lane < 8; lane += W) {
         Motion<Lanes<W>> motion{};
         if constexpr (Derived<Case>::has_friction)

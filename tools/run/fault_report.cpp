@@ -45,6 +45,8 @@ const char* fault_name(Fault fault) {
       return "overlap";
     case Fault::too_fast:
       return "too_fast";
+    case Fault::order_lost:
+      return "order_lost";
     case Fault::gas_unsolved:
       return "gas_unsolved";
   }
@@ -78,6 +80,8 @@ std::string fault_sentence(const CaseFacts& facts, const Status& status) {
       return fmt::format("{} has an overlap of {:.3g} radii (limit {:.3g})", who, status.value, status.limit);
     case Fault::too_fast:
       return fmt::format("{} moves {:.3g} radii in one step (limit {:.3g})", who, status.value, status.limit);
+    case Fault::order_lost:
+      return fmt::format("{} became more than {} times as fast within {} steps", who, speed_growth, order_interval);
     default:
       return fmt::format("{}: {}, {:.6g} (limit {:.6g})", who, describe(status.fault), status.value, status.limit);
   }

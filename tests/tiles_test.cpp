@@ -1,0 +1,91 @@
+// Steps that are worked off together give the same bytes as steps one by one.
+//
+// A tile's depth never exceeds the steps asked for, so run(1) again and again is the plain order, and run(many) is
+// tiles as deep as the case allows. Agitated pipes of some dozens of chunks, periodic (where tiles have a wedge around
+// the cut), closed, and with gas (where they end at its updates), with contacts that begin and end and ranges that are
+// listed anew within tiles; every particle and the energy ledger are compared byte by byte.
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <memory>
+
+#include "cases/pipe_bed.hpp"
+#include "cases/plug_u24.hpp"
+#include "scenes.hpp"
+
+using namespace fixdem;
+using namespace fixdem::tests;
+
+namespace {
+
+/// `layers` layers of 19 spheres 1.15 diameters apart.
+template <class Base, int layers>
+struct long_pipe : Base {
+  static constexpr int particle_count = 19 * layers;
+  static constexpr double pipe_length = layers * 0.0115;
+  static constexpr int slice_count = layers;
+};
+struct periodic : long_pipe<cases::pipe_bed, 100> {
+  static constexpr int tile_steps = 8;
+};
+struct deep : long_pipe<cases::pipe_bed, 140> {
+  static constexpr int tile_steps = 16;
+};
+struct closed : periodic {
+  static constexpr Ends ends = Ends::closed;
+};
+struct with_gas : long_pipe<cases::plug_u24, 100> {
+  static constexpr int tile_steps = 8;
+};
+struct smooth_leapfrog : periodic {
+  static constexpr double friction = 0;
+  static constexpr auto integrator = Integrator::leapfrog;
+};
+
+template <class Case>
+std::unique_ptr<Simulation<Case>> started() {
+  auto simulation = std::make_unique<Simulation<Case>>();
+  place_all(*simulation, layered_spheres<Case>(0.0115, 0.5, Random(seed())));
+  start(*simulation);
+  return simulation;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("tiles: the same bytes as step by step", Case, periodic, deep, closed, with_gas, smooth_leapfrog) {
+  enter({Case::name, seed()});
+  static_assert(Capacity<Case>::chunks >= 24);
+  auto together = started<Case>(), one_by_one = started<Case>();
+  // Long enough for ranges to be listed anew (every 100 steps or so) and for the order to be made anew (every 500).
+  constexpr int steps = 1500;
+  run(*together, steps);
+  for (int k = 0; k < steps; ++k) run(*one_by_one, 1);
+  CHECK(together->sorts() > 1);
+  CHECK(together->listings() > 10 * Capacity<Case>::chunks);
+  CHECK(together->sorts() == one_by_one->sorts());
+  CHECK(together->listings() == one_by_one->listings());
+  int different = 0;
+  for (int id = 0; id < Case::particle_count; ++id) {
+    const Particle a = together->particle(id), b = one_by_one->particle(id);
+    different += std::memcmp(&a, &b, sizeof a) != 0;
+  }
+  CHECK(different == 0);
+  const Energy a = together->energy(), b = one_by_one->energy();
+  CHECK(std::memcmp(&a, &b, sizeof a) == 0);
+  CHECK(a.dissipated_damping != 0);
+}
+
+TEST_CASE("tiles: a fault within a tile is reported as step by step") {
+  auto together = started<periodic>(), one_by_one = started<periodic>();
+  run(*together, 40);
+  run(*one_by_one, 40);
+  // A blow that drives one particle through its neighbour.
+  for (auto* simulation : {together.get(), one_by_one.get()}) simulation->state().particles.motion[700][1] = 300;
+  const Status a = together->run(64);
+  Status b;
+  for (int k = 0; k < 64 && b.ok(); ++k) b = one_by_one->run(1);
+  CHECK(!a.ok());
+  CHECK(a.fault == b.fault);
+  CHECK(a.step == b.step);
+  CHECK(a.value == b.value);
+}
