@@ -62,10 +62,11 @@ template <class Law, class Case, class V>
 FIXDEM_INLINE Springs<V> springs(V overlap) {
   if constexpr (Derived<Case>::is_hertz) {
     const V root = sqrt(overlap);
-    return {Law::stiffness * overlap * root, Law::damping * sqrt(root), Law::tangential_stiffness * root};
+    return {constant<V>(Law::stiffness) * overlap * root, constant<V>(Law::damping) * sqrt(root),
+            constant<V>(Law::tangential_stiffness) * root};
   } else {
-    const auto touching = overlap > 0.0;
-    return {Law::stiffness * overlap, keep(touching, splat<V>(Law::damping)),
+    const auto touching = overlap > V{};
+    return {constant<V>(Law::stiffness) * overlap, keep(touching, splat<V>(Law::damping)),
             keep(touching, splat<V>(Law::tangential_stiffness))};
   }
 }
@@ -75,8 +76,13 @@ template <class V>
 FIXDEM_INLINE Vec3<V> turn_to_tangent_plane(const Vec3<V>& kept, const Vec3<V>& n) {
   const Vec3<V> projected = add_scaled(kept, -dot(kept, n), n);
   const V old_square = dot(kept, kept), new_square = dot(projected, projected);
-  return scale(select(new_square > 0.0, sqrt(old_square / new_square), V{}), projected);
+  return scale(select(new_square > V{}, sqrt(old_square / new_square), V{}), projected);
 }
+
+/// Square of the share out of the tangent plane from which turning counts: it then shortens the kept vector by more
+/// than half a unit in the last place.
+template <class V>
+inline constexpr double turning_square = sizeof(Element<V>) == sizeof(double) ? 0x1p-54 : 0x1p-25;
 
 /// Caps the vector at the given length where it is longer. `square` is its squared length.
 template <class V>
@@ -97,10 +103,10 @@ FIXDEM_INLINE TangentialSpring<V> tangential_spring(const Springs<V>& k, Mask to
   TangentialSpring<V> s{k.tangential_stiffness, splat<V>(Case::time_step), splat<V>(1.0), k.damping};
   if constexpr (!keeps_displacement) {
     s.to_force = keep(touching, splat<V>(1.0));  // a contact that has opened still holds its last force
-    s.gain = Case::time_step * k.tangential_stiffness;
+    s.gain = constant<V>(Case::time_step) * k.tangential_stiffness;
   }
   if constexpr (Law::tangential_damping != Law::damping)
-    s.damping = (Law::tangential_damping / Law::damping) * k.damping;
+    s.damping = constant<V>(Law::tangential_damping / Law::damping) * k.damping;
   if constexpr (Case::tangential == TangentialLaw::rescale) {
     const auto unloading = k.tangential_stiffness < history.last_tangential_stiffness;
     s.ratio = select(unloading, k.tangential_stiffness / history.last_tangential_stiffness, s.ratio);
@@ -132,14 +138,15 @@ FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const
     const auto sliding = square > limit * limit;
     const Vec3<V> along_slip = scale(-limit / sqrt(slip_square), slip);
     const Vec3<V> along_trial = scale(limit / sqrt(square), total);
-    t.force = select(sliding, select(slip_square > 0.0, along_slip, along_trial), total);
-    t.spring = select(sliding, scale(-1.0 / s.to_force, t.force), trial);
+    t.force = select(sliding, select(slip_square > V{}, along_slip, along_trial), total);
+    t.spring = select(sliding, scale(constant<V>(-1.0) / s.to_force, t.force), trial);
   }
   if constexpr (Case::energy_ledger) {
     const Vec3<V> viscous = add_scaled(t.force, s.to_force, t.spring);  // what is not the spring's
     t.damping_power = -dot(viscous, slip);
     const Vec3<V> slid = {trial.x - t.spring.x, trial.y - t.spring.y, trial.z - t.spring.z};
-    t.sliding_work = dot(t.spring, slid) * (s.to_force * Case::time_step / s.gain);  // force times displacement
+    t.sliding_work =
+        dot(t.spring, slid) * (s.to_force * constant<V>(Case::time_step) / s.gain);  // force times displacement
   }
   return t;
 }
@@ -150,8 +157,7 @@ FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const
 ///
 /// Where a contact sticks, the whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since u = (u.n) n + v_s
 /// and both dampings share eta. Most batches stick in all lanes and turn by less than counts; the others compute eqs.
-/// (7)-(12) in full for the lanes concerned. Turning counts when it shortens the vector by more than half a unit in the
-/// last place.
+/// (7)-(12) in full for the lanes concerned.
 template <class Law, class Case, class V, class Mask>
 FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& n, const Vec3<V>& surface_velocity,
                                             V normal_velocity, V damped_velocity, Mask touching, History<V>& history) {
@@ -184,12 +190,13 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& 
     // Sliding, or turning.
     constexpr double mu_square = Case::friction * Case::friction;
     const V normal_square = normal_force * normal_force, spring_square = dot(spring, spring);
-    const auto slides = (dot(force, force) > (1 + mu_square) * normal_square) |
-                        (s.to_force * s.to_force * spring_square > mu_square * normal_square);
-    const auto turns = out_of_plane * out_of_plane > 0x1p-54 * spring_square;
+    const auto slides = (dot(force, force) > constant<V>(1 + mu_square) * normal_square) |
+                        (s.to_force * s.to_force * spring_square > constant<V>(mu_square) * normal_square);
+    const auto turns = out_of_plane * out_of_plane > constant<V>(turning_square<V>) * spring_square;
     if (any((slides | turns) & touching)) {
       const Vec3<V> slip = add_scaled(u, -normal_velocity, n);
-      const Tangential<V> t = tangential_force<Case>(s, history.spring, n, slip, Case::friction * abs(normal_force));
+      const Tangential<V> t =
+          tangential_force<Case>(s, history.spring, n, slip, constant<V>(Case::friction) * abs(normal_force));
       const auto in_full = slides | turns;
       force = select(in_full, add_scaled(t.force, -normal_force, n), force);
       spring = select(in_full, t.spring, spring);
