@@ -63,6 +63,7 @@ using Lanes8 = Lanes<8>;
 using Mask8 = decltype(Lanes8{} < Lanes8{});
 using Floats16 = Lanes<16, float>;
 using FloatMask16 = decltype(Floats16{} < Floats16{});
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
 FIXDEM_INLINE Lanes8 fused(Lanes8 a, Lanes8 b, Lanes8 c) { return Lanes8(_mm512_fmadd_pd(a, b, c)); }
 FIXDEM_INLINE Lanes8 sqrt(Lanes8 a) { return Lanes8(_mm512_maskz_sqrt_pd(0xff, a)); }
 FIXDEM_INLINE Lanes8 abs(Lanes8 a) { return Lanes8(_mm512_andnot_pd(_mm512_set1_pd(-0.0), a)); }
@@ -75,6 +76,51 @@ FIXDEM_INLINE Floats16 narrow(Lanes8 low, Lanes8 high) {
   const Floats8 first = Floats8(_mm512_maskz_cvtpd_ps(0xff, low)), second = Floats8(_mm512_maskz_cvtpd_ps(0xff, high));
   return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
+#else
+// The same as pairs of 256-bit registers.
+namespace detail {
+template <class Half, class V>
+FIXDEM_INLINE Half half(const V& a, int which) {
+  Half h;
+  __builtin_memcpy(&h, reinterpret_cast<const char*>(&a) + which * sizeof h, sizeof h);
+  return h;
+}
+template <class V, class Half>
+FIXDEM_INLINE V both(Half low, Half high) {
+  V a;
+  __builtin_memcpy(&a, &low, sizeof low);
+  __builtin_memcpy(reinterpret_cast<char*>(&a) + sizeof low, &high, sizeof high);
+  return a;
+}
+template <class Half, class V>
+FIXDEM_INLINE V fused_pair(const V& a, const V& b, const V& c) {
+  return both<V>(fused(half<Half>(a, 0), half<Half>(b, 0), half<Half>(c, 0)),
+                 fused(half<Half>(a, 1), half<Half>(b, 1), half<Half>(c, 1)));
+}
+}  // namespace detail
+FIXDEM_INLINE Lanes8 fused(Lanes8 a, Lanes8 b, Lanes8 c) { return detail::fused_pair<Lanes4>(a, b, c); }
+FIXDEM_INLINE Floats16 fused(Floats16 a, Floats16 b, Floats16 c) { return detail::fused_pair<Floats8>(a, b, c); }
+FIXDEM_INLINE Lanes8 sqrt(Lanes8 a) {
+  return detail::both<Lanes8>(sqrt(detail::half<Lanes4>(a, 0)), sqrt(detail::half<Lanes4>(a, 1)));
+}
+FIXDEM_INLINE Floats16 sqrt(Floats16 a) {
+  return detail::both<Floats16>(sqrt(detail::half<Floats8>(a, 0)), sqrt(detail::half<Floats8>(a, 1)));
+}
+FIXDEM_INLINE Lanes8 abs(Lanes8 a) {
+  return detail::both<Lanes8>(abs(detail::half<Lanes4>(a, 0)), abs(detail::half<Lanes4>(a, 1)));
+}
+FIXDEM_INLINE Floats16 abs(Floats16 a) {
+  return detail::both<Floats16>(abs(detail::half<Floats8>(a, 0)), abs(detail::half<Floats8>(a, 1)));
+}
+FIXDEM_INLINE bool any(Mask8 mask) { return any(detail::half<Mask4>(mask, 0) | detail::half<Mask4>(mask, 1)); }
+FIXDEM_INLINE bool any(FloatMask16 mask) {
+  return any(detail::half<FloatMask8>(mask, 0) | detail::half<FloatMask8>(mask, 1));
+}
+FIXDEM_INLINE Floats16 narrow(Lanes8 low, Lanes8 high) {
+  return detail::both<Floats16>(narrow(detail::half<Lanes4>(low, 0), detail::half<Lanes4>(low, 1)),
+                                narrow(detail::half<Lanes4>(high, 0), detail::half<Lanes4>(high, 1)));
+}
+#endif
 #endif
 
 }  // namespace fixdem

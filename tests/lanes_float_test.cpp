@@ -150,8 +150,10 @@ TEST_CASE_TEMPLATE("lanes: every operation is its scalar twin's in each lane", K
       using V = decltype(a);
       return constant<V>(0.1) * a + splat<V>(0.7) / b;
     });
-    different += differences<K>(in, [](auto a, auto b, auto c) { return dot(Vec3{a, b, c}, Vec3{c, a, b}); });
-    different += differences<K>(in, [](auto a, auto b, auto c) { return cross(Vec3{a, b, c}, Vec3{c, a, b}).y; });
+    different += differences<K>(in, [](auto a, auto b, auto c) { return dot(Vec3<decltype(a)>{a, b, c}, {c, a, b}); });
+    different += differences<K>(in, [](auto a, auto b, auto c) {
+      return cross(Vec3<decltype(a)>{a, b, c}, {c, a, b}).y;
+    });
 
     using V = Lanes<K::W, T>;
     bool expected = false;
