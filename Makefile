@@ -17,6 +17,7 @@ CXX := g++
 endif
 CASE ?= plug_u24
 ARCH ?= native
+LANES ?=
 SEED ?=
 ARGS ?=
 FILTER ?=
@@ -32,9 +33,9 @@ needs = @CXX='$(CXX)' INCLUDES='$(system_includes)' tools/deps/deps.sh
 
 .PHONY: help
 help:  ## this list
-	@echo 'make TARGET [CASE=$(CASE)] [CXX=$(CXX)] [ARCH=$(ARCH)] [OUT=out/CASE] [SEED=n] [ARGS="--duration 0.1 ..."]'
+	@echo 'make TARGET [CASE=$(CASE)] [CXX=$(CXX)] [ARCH=$(ARCH)] [LANES=n] [OUT=out/CASE] [SEED=n] [ARGS="--duration 0.1 ..."]'
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  \1\t\2/p' Makefile | expand -t 16
-	@echo 'CASE is a name in cases/ or the path of any .toml file. ARCH: native, x86-64-v3 or x86-64.'
+	@echo 'CASE is a name in cases/ or the path of any .toml file. ARCH: native, scalar, x86-64-v4, x86-64-v3 or x86-64.'
 
 .PHONY: run
 run:  ## build and run CASE, and first the case it starts from; results in OUT
@@ -47,7 +48,13 @@ run:  ## build and run CASE, and first the case it starts from; results in OUT
 test:  ## build and run every test; ends with "N passed, M failed"
 	$(needs) run test
 	+@$(MAKE) $(parallel) build-tests || { echo '0 passed, 1 failed'; exit 1; }
-	@tests/run.sh '$(build)' '$(CXX)' $(test_flags)
+	@IDENTICAL='$(identical_tested)' tests/run.sh '$(build)' '$(CXX)' $(test_flags)
+
+.PHONY: identical
+identical:  ## run the same scenes on every instruction set, aarch64 under emulation, and compare the last bit
+	$(needs) run $(if $(filter aarch64,$(identical_all)),identical)
+	$(files) build-identical
+	@tests/identical/run.sh '$(build)/identical/count' '$(build)/identical' $(identical_all)
 
 .PHONY: cases
 cases:  ## build the program of every case in cases/ and list them

@@ -62,10 +62,11 @@ template <class Law, class Case, class V>
 FIXDEM_INLINE Springs<V> springs(V overlap) {
   if constexpr (Derived<Case>::is_hertz) {
     const V root = sqrt(overlap);
-    return {Law::stiffness * overlap * root, Law::damping * sqrt(root), Law::tangential_stiffness * root};
+    return {constant<V>(Law::stiffness) * overlap * root, constant<V>(Law::damping) * sqrt(root),
+            constant<V>(Law::tangential_stiffness) * root};
   } else {
-    const auto touching = overlap > 0.0;
-    return {Law::stiffness * overlap, keep(touching, splat<V>(Law::damping)),
+    const auto touching = overlap > V{};
+    return {constant<V>(Law::stiffness) * overlap, keep(touching, splat<V>(Law::damping)),
             keep(touching, splat<V>(Law::tangential_stiffness))};
   }
 }
@@ -75,8 +76,13 @@ template <class V>
 FIXDEM_INLINE Vec3<V> turn_to_tangent_plane(const Vec3<V>& kept, const Vec3<V>& n) {
   const Vec3<V> projected = add_scaled(kept, -dot(kept, n), n);
   const V old_square = dot(kept, kept), new_square = dot(projected, projected);
-  return scale(select(new_square > 0.0, sqrt(old_square / new_square), V{}), projected);
+  return scale(select(new_square > V{}, sqrt(old_square / new_square), V{}), projected);
 }
+
+/// Square of the share out of the tangent plane from which turning counts: it then shortens the kept vector by more
+/// than half a unit in the last place.
+template <class V>
+inline constexpr double turning_square = sizeof(Element<V>) == sizeof(double) ? 0x1p-54 : 0x1p-25;
 
 /// Caps the vector at the given length where it is longer. `square` is its squared length.
 template <class V>
@@ -97,10 +103,10 @@ FIXDEM_INLINE TangentialSpring<V> tangential_spring(const Springs<V>& k, Mask to
   TangentialSpring<V> s{k.tangential_stiffness, splat<V>(Case::time_step), splat<V>(1.0), k.damping};
   if constexpr (!keeps_displacement) {
     s.to_force = keep(touching, splat<V>(1.0));  // a contact that has opened still holds its last force
-    s.gain = Case::time_step * k.tangential_stiffness;
+    s.gain = constant<V>(Case::time_step) * k.tangential_stiffness;
   }
   if constexpr (Law::tangential_damping != Law::damping)
-    s.damping = (Law::tangential_damping / Law::damping) * k.damping;
+    s.damping = constant<V>(Law::tangential_damping / Law::damping) * k.damping;
   if constexpr (Case::tangential == TangentialLaw::rescale) {
     const auto unloading = k.tangential_stiffness < history.last_tangential_stiffness;
     s.ratio = select(unloading, k.tangential_stiffness / history.last_tangential_stiffness, s.ratio);
@@ -132,18 +138,22 @@ FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const
     const auto sliding = square > limit * limit;
     const Vec3<V> along_slip = scale(-limit / sqrt(slip_square), slip);
     const Vec3<V> along_trial = scale(limit / sqrt(square), total);
-    t.force = select(sliding, select(slip_square > 0.0, along_slip, along_trial), total);
-    t.spring = select(sliding, scale(-1.0 / s.to_force, t.force), trial);
+    t.force = select(sliding, select(slip_square > V{}, along_slip, along_trial), total);
+    t.spring = select(sliding, scale(constant<V>(-1.0) / s.to_force, t.force), trial);
   }
   if constexpr (Case::energy_ledger) {
     const Vec3<V> viscous = add_scaled(t.force, s.to_force, t.spring);  // what is not the spring's
     t.damping_power = -dot(viscous, slip);
     const Vec3<V> slid = {trial.x - t.spring.x, trial.y - t.spring.y, trial.z - t.spring.z};
-    t.sliding_work = dot(t.spring, slid) * (s.to_force * Case::time_step / s.gain);  // force times displacement
+    t.sliding_work =
+        dot(t.spring, slid) * (s.to_force * constant<V>(Case::time_step) / s.gain);  // force times displacement
   }
   return t;
 }
 
+/// A divisor that is not zero where the kept vector vanishes.
+template <class V>
+inline constexpr double least_square = sizeof(Element<V>) == sizeof(double) ? 0x1p-1000 : 0x1p-120;
 /// Square of the sine of the angle by which a contact may turn in one step before lengths are restored by roots.
 inline constexpr double greatest_turn = 1e-4;
 
@@ -179,12 +189,12 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& 
     }
     const V turn = out_of_plane * out_of_plane;
     auto in_full = touching & !touching;
-    if (any(turn > 0x1p-54 * dot(spring, spring))) {
+    if (any(turn > constant<V>(turning_square<V>) * dot(spring, spring))) {
       const V square = dot(history.spring, history.spring);
-      const V q = turn / max(square, splat<V>(0x1p-1000));
+      const V q = turn / max(square, splat<V>(least_square<V>));
       const V longer = q * fused(q, fused(q, splat<V>(0.3125), splat<V>(0.375)), splat<V>(0.5));
       spring = add_scaled(spring, s.ratio * longer, add_scaled(history.spring, -out_of_plane, n));
-      in_full = turn > greatest_turn * square;
+      in_full = turn > constant<V>(greatest_turn) * square;
     }
     Vec3<V> force = add_scaled(add_scaled(scale(-along_normal, n), -s.damping, u), -s.to_force, spring);
     V damping_power{}, sliding_work{};
@@ -196,11 +206,12 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& 
     // Sliding, or turning by far.
     constexpr double mu_square = Case::friction * Case::friction;
     const V normal_square = normal_force * normal_force;
-    in_full = in_full | (dot(force, force) > (1 + mu_square) * normal_square) |
-              (s.to_force * s.to_force * dot(spring, spring) > mu_square * normal_square);
+    in_full = in_full | (dot(force, force) > constant<V>(1 + mu_square) * normal_square) |
+              (s.to_force * s.to_force * dot(spring, spring) > constant<V>(mu_square) * normal_square);
     if (any(in_full & touching)) {
       const Vec3<V> slip = add_scaled(u, -normal_velocity, n);
-      const Tangential<V> t = tangential_force<Case>(s, history.spring, n, slip, Case::friction * abs(normal_force));
+      const Tangential<V> t =
+          tangential_force<Case>(s, history.spring, n, slip, constant<V>(Case::friction) * abs(normal_force));
       force = select(in_full, add_scaled(t.force, -normal_force, n), force);
       spring = select(in_full, t.spring, spring);
       if constexpr (Case::energy_ledger) {

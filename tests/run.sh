@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Runs the test program, one process per source file and as many at a time as there are cores, and the files that must
-# not compile; ends with one line, `N passed, M failed`. The output of a source file is shown when something in it fails.
+# Runs the test program, one process per source file and as many at a time as there are cores, then the files that must
+# not compile and the scenes that must be identical; ends with one line, `N passed, M failed`. The output of a source file
+# is shown when something in it fails.
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
+# Environment: IDENTICAL, names of the programs in BUILD_FOLDER/identical that are compared, separated by blanks.
 set -euo pipefail
 
 build=$1
@@ -39,5 +41,6 @@ if [[ $counted != "$known" ]]; then
 fi
 
 tests/compile_fail/run.sh "$reports/compile_fail.count" "$@" || true
+tests/identical/run.sh "$reports/identical.count" "$build/identical" $IDENTICAL || true
 
 cat "$reports"/*.count | awk '{ passed += $1; failed += $2 } END { print passed + 0 " passed, " failed + 0 " failed"; exit passed == 0 || failed > 0 }'

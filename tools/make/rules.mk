@@ -79,6 +79,25 @@ $(build)/tests: $(test_objects) $(run_objects)
 	$(call say,link $@)
 	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -o $@
 
+# The scenes that must be identical, once for each instruction set: `native` as programs are compiled, the others at a
+# lower level of optimisation, which must not matter either. Those of `make test` need no other compiler and run on any
+# machine of the kind; `make identical` adds the rest.
+is_x86 := $(filter x86_64 amd64,$(machine))
+identical_tested := native scalar lanes2 $(if $(is_x86),x86-64)
+identical_all := $(identical_tested) $(if $(is_x86),x86-64-v3 x86-64-v4 $(if $(filter Linux,$(shell uname -s)),aarch64))
+cross_compiler := aarch64-linux-gnu-g++
+.PHONY: build-identical build-identical-tested
+build-identical: $(identical_all:%=$(build)/identical/%)
+build-identical-tested: $(identical_tested:%=$(build)/identical/%)
+build-tests: build-identical-tested
+$(identical_all:%=$(build)/identical/%): $(build)/identical/%: tests/identical/main.cpp tools/make/variant.mk \
+  | $(build)/cases/plug_u24.hpp $(build)/cases/settle.hpp
+	@mkdir -p $(@D)
+	$(call say,compile $< for $*)
+	$(quiet)$(if $(filter aarch64,$*),$(cross_compiler) -static,$(CXX)) -MMD -MP -MF $@.d -MT $@ -std=c++20 $(warnings) -I$(build) -I. \
+	  $(if $(filter native,$*),-O3,-O1) $(call arch_of,$*) $(call lanes_of,$(patsubst lanes%,%,$(filter lanes%,$(*:scalar=lanes1)))) \
+	  $(math_rules) $< -o $@
+
 # Benchmarks: compiled like the programs, because it is those that are timed.
 bench_objects := $(call objects,$(wildcard bench/*.cpp))
 $(build)/objects/bench/%.o: bench/%.cpp tools/make/variant.mk | $(case_names:%=$(build)/cases/%.hpp)
@@ -124,5 +143,5 @@ final-state: start-state
 	  echo "fixdem: running $(case_name) first, for its final state" >&2; \
 	  $(call run_case,$(usual)) >&2; $(leave_mark); fi
 
--include $(wildcard $(build)/cases/*.d $(case_build)/cases/*.d) $(shell find $(build)/objects -name '*.d' 2>/dev/null)
+-include $(wildcard $(build)/identical/*.d $(build)/cases/*.d $(case_build)/cases/*.d) $(shell find $(build)/objects -name '*.d' 2>/dev/null)
 %.d: ;

@@ -2,7 +2,7 @@
 # variants live side by side. Everything built depends on this file.
 
 BUILD ?= build
-variant := $(notdir $(lastword $(CXX)))-$(ARCH)$(if $(SAN),-san)
+variant := $(notdir $(lastword $(CXX)))-$(ARCH)$(if $(LANES),-lanes$(LANES))$(if $(SAN),-san)
 build := $(BUILD)/$(variant)
 
 # Packages of a system live where its compiler looks, with two exceptions: Eigen has a folder of its own, brew a prefix.
@@ -21,7 +21,20 @@ common := -std=c++20 $(warnings) -I$(build) -I. $(system_includes) $(if $(SAN),-
 # The same bits everywhere (kernel/README.md): no contraction to fma behind our back, a hardware root instead of one
 # that sets errno, and divisions that the compiler may move because no floating-point trap is ever looked at.
 # Never -ffast-math: it would reorder sums and throw away the tests for non-finite states.
-kernel_math := -march=$(ARCH) -ffp-contract=off -fno-math-errno -fno-trapping-math
+#
+# ARCH is a value of -march, or `scalar`: this machine's instructions, one lane. LANES=1, 2, 4 or 8 computes on so many
+# doubles at once instead of as many as a register holds; 8 on a machine with AVX2 only are pairs of registers, and gcc
+# would remark for each function that AVX-512 passes such values differently.
+machine := $(shell uname -m)
+arch_of = $(if $(filter scalar lanes%,$(1)),-march=native,$(if $(filter aarch64,$(1)),-march=armv8-a,-march=$(1)))
+lanes_of = $(if $(1),-DFIXDEM_LANES=$(1) $(if $(filter 8,$(1)),-Wno-psabi))
+math_rules := -ffp-contract=off -fno-math-errno -fno-trapping-math
+kernel_math := $(call arch_of,$(ARCH)) $(call lanes_of,$(if $(filter scalar,$(ARCH)),1,$(LANES))) $(math_rules)
+
+ifeq ($(ARCH)$(filter aarch64 arm64,$(machine)),aarch64)
+$(error fixdem: ARCH=aarch64 on this $(machine) machine: programs of cases would need libraries for aarch64; `make identical` \
+  compiles the scenes of tests/identical for it and runs them under emulation)
+endif
 
 program_flags := $(common) $(if $(SAN),-O1,-O3) $(kernel_math)
 test_flags := $(common) $(if $(SAN),-O1,-O2) $(kernel_math)

@@ -1,0 +1,59 @@
+// Scenes that must come out the same to the last bit, however the kernel is compiled: small, agitated, and between them
+// with every law, integrator and kind of wall, with and without gas and friction.
+//
+// Nothing here needs a library, not even the mathematics library, so that the scenes also run where there is none.
+#pragma once
+
+#include "cases/plug_u24.hpp"
+#include "cases/settle.hpp"
+#include "kernel/particles.hpp"
+
+namespace fixdem::tests::identical {
+
+/// Particles on a jittered lattice that fits the pipe, with velocities and spins, the same for every width.
+template <class Simulation>
+void place_agitated(Simulation& simulation) {
+  using Case = typename Simulation::case_type;
+  unsigned long long bits = 0x9e3779b97f4a7c15ULL;
+  const auto uniform = [&] {
+    bits ^= bits << 13, bits ^= bits >> 7, bits ^= bits << 17;
+    return static_cast<double>(bits >> 11) * 0x1p-52 - 1;  // -1 .. 1
+  };
+  const double d = Case::diameter;
+  for (int id = 0; id < Case::particle_count; ++id) {
+    const int layer = id / 4, corner = id % 4;
+    Particle p{};
+    p.position[0] = (corner % 2 == 0 ? -0.6 : 0.6) * d + 0.05 * d * uniform();
+    p.position[1] = (corner / 2 == 0 ? -0.6 : 0.6) * d + 0.05 * d * uniform();
+    p.position[2] = (layer + 0.6) * 1.1 * d;
+    for (int c = 0; c < 3; ++c) p.velocity[c] = uniform();
+    if (Case::friction > 0)
+      for (int c = 0; c < 3; ++c) p.angular_velocity[c] = 100 * uniform();
+    simulation.place(id, p);
+  }
+}
+
+struct gas : cases::plug_u24 {
+  static constexpr int particle_count = 240;
+};
+struct smooth : gas {
+  static constexpr double friction = 0;
+};
+struct leapfrog : gas {
+  static constexpr auto integrator = Integrator::leapfrog;
+  static constexpr auto tangential = TangentialLaw::rescale;
+};
+struct paper : cases::settle {
+  static constexpr int particle_count = 20;
+  static constexpr auto slider = Slider::paper;
+  static constexpr auto tangential = TangentialLaw::force;
+};
+struct linear : paper {
+  static constexpr auto normal = NormalLaw::linear;
+  static constexpr auto damping = Damping::critical;
+  static constexpr double normal_stiffness = 1e5, tangential_stiffness = 3e4;
+};
+
+inline constexpr long long steps = 2000;
+
+}  // namespace fixdem::tests::identical
