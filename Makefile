@@ -22,6 +22,7 @@ SEED ?=
 ARGS ?=
 FILTER ?=
 JSON ?=
+LMP ?=
 
 include tools/make/variant.mk
 include tools/make/rules.mk
@@ -82,6 +83,14 @@ bench:  ## time whole steps and their stages (Google Benchmark); FILTER=regex, J
 	+@$(MAKE) final-state CASE=plug_u24 OUT= ARGS=
 	@$(build)/bench $(call results,pipe_bed)/final.fixdem $(call results,plug_u24)/final.fixdem \
 	  $(if $(FILTER),--benchmark_filter='$(FILTER)') $(if $(JSON),--benchmark_out='$(JSON)' --benchmark_out_format=json)
+
+.PHONY: bench-peers
+bench-peers:  ## fixdem beside LAMMPS and LIGGGHTS, same scenes, one core; LMP=/path/to/lmp, JSON=file; rewrites the table in bench/README.md
+	$(needs) run peers $(if $(LMP),,lammps)
+	$(files) build-peers
+	+@$(MAKE) final-state CASE=pipe_bed OUT= SEED= ARGS=
+	tools/peers/bench_peers.py --programs $(peers)/bin --headers $(peers)/cases --settled out/pipe_bed/final.fixdem \
+	  --out out/peers --readme bench/README.md $(if $(LMP),--lmp '$(LMP)') $(if $(JSON),--json '$(JSON)')
 
 .PHONY: check
 check:  ## formatting, clang-tidy, and the tests under address and undefined-behaviour sanitizers

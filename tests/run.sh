@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the test program, one process per source file and as many at a time as there are cores, then the files that must
-# not compile and the scenes that must be identical; ends with one line, `N passed, M failed`. The output of a source file
-# is shown when something in it fails.
+# not compile, the scenes that must be identical and the tests of tools/peers; ends with one line, `N passed, M failed`.
+# The output of a source file is shown when something in it fails.
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
 # Environment: IDENTICAL, names of the programs in BUILD_FOLDER/identical that are compared, separated by blanks.
@@ -42,5 +42,9 @@ fi
 
 tests/compile_fail/run.sh "$reports/compile_fail.count" "$@" || true
 tests/identical/run.sh "$reports/identical.count" "$build/identical" $IDENTICAL || true
+
+echo "0 1" >"$reports/peers.count"  # if it ends before it counts
+tests/peers_test.py "$reports/peers.count" >"$reports/peers.txt" 2>&1 || cat "$reports/peers.txt"
+printf 'tests/%-28s %3d passed, %d failed\n' peers_test.py $(cat "$reports/peers.count")
 
 cat "$reports"/*.count | awk '{ passed += $1; failed += $2 } END { print passed + 0 " passed, " failed + 0 " failed"; exit passed == 0 || failed > 0 }'

@@ -20,7 +20,7 @@ case_program := $(case_build)/bin/$(case_name)
 results = out/$(1)$(if $(SEED),-seed$(SEED))
 OUT ?= $(call results,$(case_name))
 
-.PHONY: build-program build-cases build-tests build-bench build-tidy
+.PHONY: build-program build-cases build-tests build-bench build-peers build-tidy
 build-program: $(case_program)
 build-cases: $(case_names:%=$(build)/bin/%)
 build-tests: build-cases $(build)/tests
@@ -109,6 +109,16 @@ $(build)/bench: $(bench_objects) $(run_objects)
 	$(call say,link $@)
 	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -lbenchmark -lpthread -o $@
 
+# Peers: cases that tools/peers derives from pipe_bed, each with a program of its own.
+peers := $(build)/peers
+peer_cases := agitated bed_settle bed impacts
+build-peers: $(peer_cases:%=$(peers)/bin/%)
+$(peers)/derived.done: tools/peers/derived_cases.py cases/pipe_bed.toml
+	$(quiet)$< cases/pipe_bed.toml $(peers)
+	@touch $@
+$(peer_cases:%=$(peers)/%.toml): $(peers)/derived.done ;
+$(eval $(call case_rules,$(peers),$(peers)/))
+
 # clang-tidy: the tools, and the kernel as one case instantiates it.
 tidy_sources := $(wildcard tools/casegen/*.cpp tools/run/*.cpp)
 build-tidy: $(tidy_sources:%=$(build)/tidy/%.ok)
@@ -143,5 +153,6 @@ final-state: start-state
 	  echo "fixdem: running $(case_name) first, for its final state" >&2; \
 	  $(call run_case,$(usual)) >&2; $(leave_mark); fi
 
--include $(wildcard $(build)/identical/*.d $(build)/cases/*.d $(case_build)/cases/*.d) $(shell find $(build)/objects -name '*.d' 2>/dev/null)
+-include $(wildcard $(build)/identical/*.d $(build)/cases/*.d $(case_build)/cases/*.d $(peers)/cases/*.d) \
+  $(shell find $(build)/objects -name '*.d' 2>/dev/null)
 %.d: ;

@@ -1,0 +1,88 @@
+"""Reads a case as casegen completed it, and derives the contact law that a peer program has to be given.
+
+The header that casegen writes holds every value of the case, defaults resolved, in a form that reads back exactly; no
+second reader of case files is needed. The law is that of kernel/case.hpp, eqs. (16)-(22) and (26), in SI units.
+"""
+
+import math
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+MEMBER = re.compile(r"static constexpr [\w:* ]+? (\w+)(\[\d*\])? = (.*?);", re.DOTALL)
+
+# What the peers are given here; a case that asks for something else is refused.
+REQUIRED = {
+    "normal": "hertz",
+    "tangential": "displacement",
+    "damping": "restitution",
+    "damping_mass": "reduced",
+    "ends": "periodic",
+    "has_wall": True,
+    "has_gas": False,
+}
+
+
+def value_of(text):
+    """A C++ initialiser as a Python value: number, truth value, name of an enumerator, text or tuple of numbers."""
+    text = text.strip()
+    if text.startswith('"'):
+        return text.strip('"')
+    if text.startswith("{"):
+        return tuple(value_of(item) for item in text.strip("{}").split(",")) if "{" not in text[1:] else text
+    if text in ("true", "false"):
+        return text == "true"
+    if "::" in text:
+        return text.split("::")[1]
+    number = text.removesuffix("ULL")
+    if re.fullmatch(r"-?\d+", number):
+        return int(number)
+    if re.fullmatch(r"-?0x[0-9a-f.]+p[+-]?\d+", number):
+        return float.fromhex(number)
+    return text
+
+
+def read_case(header):
+    """The members of the struct in a header of casegen: name -> value."""
+    text = Path(header).read_text()
+    case = {name: value_of(value) for name, _, value in MEMBER.findall(text)}
+    missing = [key for key in (*REQUIRED, "particle_count", "diameter", "pipe_diameter", "gravity", "time_step") if key not in case]
+    if missing:
+        raise SystemExit(f"{header}: no {', '.join(missing)} in it: not a header of casegen, or one of another version")
+    for key, wanted in REQUIRED.items():
+        if case[key] != wanted:
+            raise SystemExit(f"{header}: {key} is {case[key]}; the peers can be given {wanted} only")
+    return case
+
+
+@dataclass(frozen=True)
+class Law:
+    """K and k of F_n = K overlap^(3/2), k_t = k overlap^(1/2); alpha of eta = alpha (M K)^(1/2) overlap^(1/4)."""
+
+    radius: float
+    mass: float
+    normal_pair: float
+    normal_wall: float
+    tangential_pair: float
+    tangential_wall: float
+    alpha: float
+    friction: float
+
+
+def law_of(case):
+    radius = case["diameter"] / 2
+    modulus, poisson = case["youngs_modulus"], case["poisson_ratio"]
+    shear = modulus / (2 * (1 + poisson))
+    compliance = (1 - poisson**2) / modulus
+    wall_compliance = (1 - case["wall_poisson_ratio"] ** 2) / case["wall_youngs_modulus"]
+    log_restitution = math.log(case["restitution"])
+    return Law(
+        radius=radius,
+        mass=math.pi / 6 * case["diameter"] ** 3 * case["density"],
+        normal_pair=math.sqrt(2 * radius) / (3 * compliance),
+        normal_wall=4 / 3 * math.sqrt(radius) / (compliance + wall_compliance),
+        tangential_pair=2 * math.sqrt(2 * radius) * shear / (2 - poisson),
+        tangential_wall=8 * math.sqrt(radius) * shear / (2 - poisson),
+        alpha=-math.sqrt(5) * log_restitution / math.hypot(math.pi, log_restitution),
+        friction=case["friction"],
+    )
