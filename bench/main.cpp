@@ -68,7 +68,7 @@ void one_stage(benchmark::State& state) {
 
 void pair_stage(State<Bed>& s) {
   for (int range = 0; range < PairBatches<Bed>::ranges; ++range)
-    pair_contacts<Bed, W, false>(s.contacts.pairs, s.particles, range, s.contacts.rows[0], s.watch[range]);
+    pair_contacts<Bed, W>(s.contacts.pairs, s.particles, range, s.contacts.rows[0], s.watch[range]);
 }
 
 void wall_stage(State<Bed>& s) {

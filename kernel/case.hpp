@@ -8,6 +8,8 @@
 // Equation numbers are those of Tsuji, Tanaka & Ishida, Powder Technology 71 (1992) 239-250.
 #pragma once
 
+#include <type_traits>
+
 #include "constant_math.hpp"
 
 namespace fixdem {
@@ -24,7 +26,8 @@ enum class Damping { restitution, critical };
 enum class DampingMass { reduced, particle };
 enum class Ends { periodic, closed };
 enum class Integrator { euler, leapfrog };
-enum class Precision { double_precision };
+/// `mixed_precision`: state, position differences and gaps in double, contact arithmetic and history in float.
+enum class Precision { double_precision, mixed_precision };
 /// How the height of the bed counts against the pipe when almost full (kernel/gas_slices.hpp).
 enum class BedHeight { continuous, hard, strict };
 
@@ -100,10 +103,23 @@ struct Derived {
   static constexpr double slice_length = Case::pipe_length / Case::slice_count;
 };
 
+template <class Case>
+inline constexpr bool is_mixed = Case::precision == Precision::mixed_precision;
+
+/// What contacts are computed in.
+template <class Case>
+using Real = std::conditional_t<is_mixed<Case>, float, double>;
+
+/// Lanes of a contact loop on a machine that computes on W doubles at once.
+template <class Case, int W>
+inline constexpr int contact_lanes = is_mixed<Case>&& W > 1 ? 2 * W : W;
+
 /// Fixed sizes of the arrays. Each says why it is what it is and what happens when it is not enough.
 template <class Case>
 struct Capacity {
-  static constexpr int lanes = 8;  ///< contacts in a batch, on every machine: it is the data layout, not the register
+  /// Contacts in a batch, on every machine: it is the data layout, not the register.
+  static constexpr int batch = is_mixed<Case> ? 16 : 8;
+  static constexpr unsigned short all_lanes = static_cast<unsigned short>((1u << batch) - 1);  ///< a bit for each
 
   /// Near pairs of one particle. Twelve equal spheres touch a central one at most; the greatest number observed at a
   /// list cut of 1.05 d is 12. The case can set it (`[capacity] neighbours`, default 14). Overflow: the run stops.
@@ -123,7 +139,7 @@ struct Capacity {
 
   /// Pairs owned by the particles of one chunk, each pair counted once: half the neighbours of each, and one batch of
   /// slack. Observed: 2.3 owned near pairs per particle on average in a bed. Overflow: the run stops.
-  static constexpr int chunk_pairs = (chunk_size * neighbours / 2 + 2 * lanes - 1) / lanes * lanes;
+  static constexpr int chunk_pairs = (chunk_size * neighbours / 2 + 2 * batch - 1) / batch * batch;
 
   /// Pairs across the periodic ends: one slab on either side.
   static constexpr int wrap_pairs = chunk_pairs;

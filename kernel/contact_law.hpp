@@ -189,10 +189,11 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& 
     }
     const V turn = out_of_plane * out_of_plane;
     auto in_full = touching & !touching;
-    if (any(turn > constant<V>(turning_square<V>) * dot(spring, spring))) {
+    const auto turns = turn > constant<V>(turning_square<V>) * dot(spring, spring);
+    if (any(turns)) {
       const V square = dot(history.spring, history.spring);
       const V q = turn / max(square, splat<V>(least_square<V>));
-      const V longer = q * fused(q, fused(q, splat<V>(0.3125), splat<V>(0.375)), splat<V>(0.5));
+      const V longer = keep(turns, q * fused(q, fused(q, splat<V>(0.3125), splat<V>(0.375)), splat<V>(0.5)));
       spring = add_scaled(spring, s.ratio * longer, add_scaled(history.spring, -out_of_plane, n));
       in_full = turn > constant<V>(greatest_turn) * square;
     }

@@ -1,14 +1,14 @@
 // Where contacts live: batches of near pairs and near walls, the force rows they write, and who sums which rows.
 //
 // The pipe is cut into chunks of consecutive particles. A chunk owns the pairs whose lower-numbered particle is its
-// own; the partner is in the same chunk or the next. Pairs stand in batches of 8 with 16-bit row numbers relative to
-// the chunk, and their history beside them, in a region of its own for each chunk, so that one chunk can be listed anew
-// while the others stay. Each contact writes one force row; a chunk needs the rows of its own contacts and of its
-// predecessor's, so a ring of two sets of rows is enough and stays in the cache; steps that are worked off together
-// (tiles.hpp) have a ring each. Pairs across the periodic ends have rows of their own. A particle's slot list names the
-// rows it adds (its own contacts) and subtracts (those of lower-numbered partners), padded with a row of zeros to equal
-// lengths; particles of one chunk are bucketed by that length. There is no scatter, and the order of every sum is
-// fixed.
+// own; the partner is in the same chunk or the next. Pairs stand in batches of 8 (16 in mixed precision) with 16-bit
+// row numbers relative to the chunk, and their history beside them, in a region of its own for each chunk, so that one
+// chunk can be listed anew while the others stay. Each contact writes one force row; a chunk needs the rows of its own
+// contacts and of its predecessor's, so a ring of two sets of rows is enough and stays in the cache; steps that are
+// worked off together (tiles.hpp) have a ring each. Pairs across the periodic ends have rows of their own. A particle's
+// slot list names the rows it adds (its own contacts) and subtracts (those of lower-numbered partners), padded with a
+// row of zeros to equal lengths; particles of one chunk are bucketed by that length. There is no scatter, and the order
+// of every sum is fixed.
 #pragma once
 
 #include "contact_law.hpp"
@@ -18,19 +18,19 @@
 namespace fixdem {
 
 namespace detail {
-template <int Batches, int Numbers>
+template <class Case, int Batches, int Numbers>
 struct HistoryBatches {
-  alignas(64) double value[Batches][Numbers][8];
+  alignas(64) Real<Case> value[Batches][Numbers][Capacity<Case>::batch];
 };
-template <int Batches>
-struct HistoryBatches<Batches, 0> {};
+template <class Case, int Batches>
+struct HistoryBatches<Case, Batches, 0> {};
 
-template <bool present, int Steps, int Size>
+template <class Case, bool present, int Steps, int Size>
 struct EdgeRows {
-  alignas(64) double rows[Steps][Size];
+  alignas(64) Real<Case> rows[Steps][Size];
 };
-template <int Steps, int Size>
-struct EdgeRows<false, Steps, Size> {};
+template <class Case, int Steps, int Size>
+struct EdgeRows<Case, false, Steps, Size> {};
 }  // namespace detail
 
 /// Numbering of the force rows: two chunks in turn, the pairs across the ends, and one row of zeros.
@@ -60,16 +60,17 @@ struct PairBatches {
   using Cap = Capacity<Case>;
   static constexpr int history_size = ContactLaw<Case, false>::history_size;
   static constexpr int ranges = Cap::chunks + (Derived<Case>::is_periodic ? 1 : 0);
-  static constexpr int batches_per_range = Cap::chunk_pairs / 8;
+  static constexpr int batches_per_range = Cap::chunk_pairs / Cap::batch;
   static constexpr int batches = ranges * batches_per_range;
   /// First batch of a range.
   static constexpr int first(int range) { return range * batches_per_range; }
 
-  alignas(64) typename Rows<Case>::Offset owner[batches][8];
-  alignas(64) typename Rows<Case>::Offset partner[batches][8];
-  [[no_unique_address]] detail::HistoryBatches<batches, history_size> history;
+  alignas(64) typename Rows<Case>::Offset owner[batches][Cap::batch];
+  alignas(64) typename Rows<Case>::Offset partner[batches][Cap::batch];
+  [[no_unique_address]] detail::HistoryBatches<Case, batches, history_size> history;
+  std::uint16_t touching[batches];  ///< sparse ranges: a bit for each lane that touched in the last step
   int count[ranges];    ///< pairs in each range; the last batch is filled up with copies that are masked out
-  bool sparse[ranges];  ///< so few of them touch that whole batches are likely to be open
+  bool sparse[ranges];  ///< so few of them touch that those are looked up first (contact_loop.hpp)
 };
 
 /// Where the two sides of a range of pairs start, and the shift of the partner along z.
@@ -91,20 +92,25 @@ template <class Case, bool present>
 struct WallBatches {
   using Cap = Capacity<Case>;
   static constexpr int history_size = ContactLaw<Case, true>::history_size;
-  static constexpr int batches_per_chunk = Cap::chunk_size / 8;
+  static constexpr int batches_per_chunk = Cap::chunk_size / Cap::batch;
   static constexpr int batches = Cap::chunks * batches_per_chunk;
   /// First batch of a chunk.
   static constexpr int first(int chunk) { return chunk * batches_per_chunk; }
 
-  alignas(64) typename Rows<Case>::Offset owner[batches][8];
-  [[no_unique_address]] detail::HistoryBatches<batches, history_size> history;
+  alignas(64) typename Rows<Case>::Offset owner[batches][Cap::batch];
+  [[no_unique_address]] detail::HistoryBatches<Case, batches, history_size> history;
+  std::uint16_t touching[batches];
   int count[Cap::chunks];
+  bool sparse[Cap::chunks];
 };
 template <class Case>
 struct WallBatches<Case, false> {};
 
 /// Batches that hold so many contacts.
-constexpr int batches_for(int contacts) { return (contacts + 7) / 8; }
+template <class Case>
+constexpr int batches_for(int contacts) {
+  return (contacts + Capacity<Case>::batch - 1) / Capacity<Case>::batch;
+}
 
 template <class Case>
 struct Contacts {
@@ -118,8 +124,9 @@ struct Contacts {
   [[no_unique_address]] WallBatches<Case, D::has_ends> ends;
 
   /// A ring of force rows for each step of a tile, and the rows that a tile keeps for its second phase.
-  alignas(64) double rows[Cap::tile_steps][rows_per_ring];
-  [[no_unique_address]] detail::EdgeRows<(Cap::tile_steps > 1), Cap::tile_steps, Rows<Case>::of_chunk * row_width> edge;
+  alignas(64) Real<Case> rows[Cap::tile_steps][rows_per_ring];
+  [[no_unique_address]] detail::EdgeRows<Case, (Cap::tile_steps > 1), Cap::tile_steps, Rows<Case>::of_chunk * row_width>
+      edge;
 
   /// Rows a particle can own: its near pairs, the pipe wall and an end wall.
   static constexpr int max_slots = Cap::neighbours + (Case::has_wall ? 1 : 0) + (D::has_ends ? 1 : 0);

@@ -68,7 +68,8 @@ class Simulation {
     if constexpr (D::has_friction) {
       constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::mass;
       const auto set = [&](auto& batches, int batch, int lane, double sign) {
-        for (int c = 0; c < 3; ++c) batches.history.value[batch][c][lane] = sign * unit * history[c];
+        for (int c = 0; c < 3; ++c)
+          batches.history.value[batch][c][lane] = static_cast<Real<Case>>(sign * unit * history[c]);
       };
       if (partner >= 0) {
         const int i = row_of(owner), j = row_of(partner);
@@ -208,7 +209,7 @@ class Simulation {
     }
     if constexpr (D::has_friction) s_.kept.clear();
     for (auto& ring : s_.contacts.rows)
-      for (double& r : ring) r = 0;
+      for (auto& r : ring) r = 0;
   }
 
   /// The contact with the greatest overlap, as a fault where it is beyond the limit.

@@ -23,7 +23,7 @@ class KeptHistory {
     }
   }
 
-  void keep(int owner, int partner, const double (*value)[8], int lane) {
+  void keep(int owner, int partner, const Real<Case> (*value)[Capacity<Case>::batch], int lane) {
     bool is_zero = true;
     for (int c = 0; c < size; ++c) is_zero = is_zero && value[c][lane] == 0;
     if (is_zero) return;
@@ -35,22 +35,22 @@ class KeptHistory {
   }
 
   /// Writes the history of the pair into a lane; zero when it has none.
-  void restore(int owner, int partner, double (*value)[8], int lane) const {
+  void restore(int owner, int partner, Real<Case> (*value)[Capacity<Case>::batch], int lane) const {
     if (copy(owner, partner, 1, value, lane) || copy(partner, owner, -1, value, lane)) return;
     for (int c = 0; c < size; ++c) value[c][lane] = 0;
   }
 
-  const double* of_pipe(int id) const { return pipe[id]; }
-  const double* of_end(int id) const { return ends[id]; }
+  const Real<Case>* of_pipe(int id) const { return pipe[id]; }
+  const Real<Case>* of_end(int id) const { return ends[id]; }
 
-  double pipe[Case::particle_count][size];  ///< of the pipe wall, by input number
-  double ends[Case::particle_count][size];  ///< of an end wall
+  Real<Case> pipe[Case::particle_count][size];  ///< of the pipe wall, by input number
+  Real<Case> ends[Case::particle_count][size];  ///< of an end wall
 
  private:
-  bool copy(int owner, int partner, double sign, double (*value)[8], int lane) const {
+  bool copy(int owner, int partner, Real<Case> sign, Real<Case> (*value)[Capacity<Case>::batch], int lane) const {
     for (int k = newest_[owner]; k >= 0; k = entry_[k].older) {
       if (entry_[k].partner != partner) continue;
-      for (int c = 0; c < size; ++c) value[c][lane] = (c < 3 ? sign : 1) * entry_[k].value[c];
+      for (int c = 0; c < size; ++c) value[c][lane] = (c < 3 ? sign : Real<Case>{1}) * entry_[k].value[c];
       return true;
     }
     return false;
@@ -58,7 +58,7 @@ class KeptHistory {
 
   struct Entry {
     int partner, older;
-    double value[size];
+    Real<Case> value[size];
   };
   Entry entry_[PairBatches<Case>::batches * 8];
   int newest_[Case::particle_count];
@@ -69,8 +69,8 @@ class KeptHistory {
 template <class Case>
 class KeptHistory<Case, false> {
  public:
-  const double* of_pipe(int) const { return nullptr; }
-  const double* of_end(int) const { return nullptr; }
+  const Real<Case>* of_pipe(int) const { return nullptr; }
+  const Real<Case>* of_end(int) const { return nullptr; }
 };
 
 /// Visits every real lane of one range of the pair batches: f(batch, lane, owner row, partner row).
@@ -80,7 +80,7 @@ void for_each_near_pair_in(const Contacts<Case>& contacts, int range, F&& f) {
   const int owner_base = wraps ? 0 : range * Capacity<Case>::chunk_size;
   const int partner_base = wraps ? Rows<Case>::wrap_base : owner_base;
   for (int k = 0; k < contacts.pairs.count[range]; ++k) {
-    const int batch = PairBatches<Case>::first(range) + k / 8, lane = k % 8;
+    const int batch = PairBatches<Case>::first(range) + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
     f(batch, lane, owner_base + Rows<Case>::number(contacts.pairs.owner[batch][lane]),
       partner_base + Rows<Case>::number(contacts.pairs.partner[batch][lane]));
   }
@@ -95,7 +95,7 @@ void for_each_near_pair(const Contacts<Case>& contacts, F&& f) {
 template <class Case, class Walls, class F>
 void for_each_near_wall_in(const Walls& walls, int chunk, F&& f) {
   for (int k = 0; k < walls.count[chunk]; ++k) {
-    const int batch = Walls::first(chunk) + k / 8, lane = k % 8;
+    const int batch = Walls::first(chunk) + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
     f(batch, lane, chunk * Capacity<Case>::chunk_size + Rows<Case>::number(walls.owner[batch][lane]));
   }
 }

@@ -32,6 +32,7 @@ FIXDEM_INLINE float sqrt(float a) { return __builtin_sqrtf(a); }
 FIXDEM_INLINE float abs(float a) { return __builtin_fabsf(a); }
 FIXDEM_INLINE float narrow(double a) { return static_cast<float>(a); }
 FIXDEM_INLINE bool any(bool mask) { return mask; }
+FIXDEM_INLINE unsigned bits(bool mask) { return mask; }
 
 // ---- any width ---------------------------------------------------------------------------------------------------
 /// A number in a formula of lanes; the compiler repeats it in all of them.

@@ -30,10 +30,12 @@ FIXDEM_INLINE Floats4 fused(Floats4 a, Floats4 b, Floats4 c) {
 #endif
 FIXDEM_INLINE Lanes2 sqrt(Lanes2 a) { return Lanes2(_mm_sqrt_pd(a)); }
 FIXDEM_INLINE Lanes2 abs(Lanes2 a) { return Lanes2(_mm_andnot_pd(_mm_set1_pd(-0.0), a)); }
-FIXDEM_INLINE bool any(Mask2 mask) { return _mm_movemask_pd(__m128d(mask)) != 0; }
+FIXDEM_INLINE unsigned bits(Mask2 mask) { return static_cast<unsigned>(_mm_movemask_pd(__m128d(mask))); }
+FIXDEM_INLINE bool any(Mask2 mask) { return bits(mask) != 0; }
 FIXDEM_INLINE Floats4 sqrt(Floats4 a) { return Floats4(_mm_sqrt_ps(a)); }
 FIXDEM_INLINE Floats4 abs(Floats4 a) { return Floats4(_mm_andnot_ps(_mm_set1_ps(-0.0f), a)); }
-FIXDEM_INLINE bool any(FloatMask4 mask) { return _mm_movemask_ps(__m128(mask)) != 0; }
+FIXDEM_INLINE unsigned bits(FloatMask4 mask) { return static_cast<unsigned>(_mm_movemask_ps(__m128(mask))); }
+FIXDEM_INLINE bool any(FloatMask4 mask) { return bits(mask) != 0; }
 FIXDEM_INLINE Floats4 narrow(Lanes2 low, Lanes2 high) {
   return Floats4(_mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high)));
 }
@@ -47,11 +49,13 @@ using FloatMask8 = decltype(Floats8{} < Floats8{});
 FIXDEM_INLINE Lanes4 fused(Lanes4 a, Lanes4 b, Lanes4 c) { return Lanes4(_mm256_fmadd_pd(a, b, c)); }
 FIXDEM_INLINE Lanes4 sqrt(Lanes4 a) { return Lanes4(_mm256_sqrt_pd(a)); }
 FIXDEM_INLINE Lanes4 abs(Lanes4 a) { return Lanes4(_mm256_andnot_pd(_mm256_set1_pd(-0.0), a)); }
-FIXDEM_INLINE bool any(Mask4 mask) { return _mm256_movemask_pd(__m256d(mask)) != 0; }
+FIXDEM_INLINE unsigned bits(Mask4 mask) { return static_cast<unsigned>(_mm256_movemask_pd(__m256d(mask))); }
+FIXDEM_INLINE bool any(Mask4 mask) { return bits(mask) != 0; }
 FIXDEM_INLINE Floats8 fused(Floats8 a, Floats8 b, Floats8 c) { return Floats8(_mm256_fmadd_ps(a, b, c)); }
 FIXDEM_INLINE Floats8 sqrt(Floats8 a) { return Floats8(_mm256_sqrt_ps(a)); }
 FIXDEM_INLINE Floats8 abs(Floats8 a) { return Floats8(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)); }
-FIXDEM_INLINE bool any(FloatMask8 mask) { return _mm256_movemask_ps(__m256(mask)) != 0; }
+FIXDEM_INLINE unsigned bits(FloatMask8 mask) { return static_cast<unsigned>(_mm256_movemask_ps(__m256(mask))); }
+FIXDEM_INLINE bool any(FloatMask8 mask) { return bits(mask) != 0; }
 FIXDEM_INLINE Floats8 narrow(Lanes4 low, Lanes4 high) {
   return Floats8(_mm256_set_m128(_mm256_cvtpd_ps(high), _mm256_cvtpd_ps(low)));
 }
@@ -67,11 +71,13 @@ using FloatMask16 = decltype(Floats16{} < Floats16{});
 FIXDEM_INLINE Lanes8 fused(Lanes8 a, Lanes8 b, Lanes8 c) { return Lanes8(_mm512_fmadd_pd(a, b, c)); }
 FIXDEM_INLINE Lanes8 sqrt(Lanes8 a) { return Lanes8(_mm512_maskz_sqrt_pd(0xff, a)); }
 FIXDEM_INLINE Lanes8 abs(Lanes8 a) { return Lanes8(_mm512_andnot_pd(_mm512_set1_pd(-0.0), a)); }
-FIXDEM_INLINE bool any(Mask8 mask) { return _mm512_movepi64_mask(__m512i(mask)) != 0; }
+FIXDEM_INLINE unsigned bits(Mask8 mask) { return _mm512_movepi64_mask(__m512i(mask)); }
+FIXDEM_INLINE bool any(Mask8 mask) { return bits(mask) != 0; }
 FIXDEM_INLINE Floats16 fused(Floats16 a, Floats16 b, Floats16 c) { return Floats16(_mm512_fmadd_ps(a, b, c)); }
 FIXDEM_INLINE Floats16 sqrt(Floats16 a) { return Floats16(_mm512_maskz_sqrt_ps(0xffff, a)); }
 FIXDEM_INLINE Floats16 abs(Floats16 a) { return Floats16(_mm512_andnot_ps(_mm512_set1_ps(-0.0f), a)); }
-FIXDEM_INLINE bool any(FloatMask16 mask) { return _mm512_movepi32_mask(__m512i(mask)) != 0; }
+FIXDEM_INLINE unsigned bits(FloatMask16 mask) { return _mm512_movepi32_mask(__m512i(mask)); }
+FIXDEM_INLINE bool any(FloatMask16 mask) { return bits(mask) != 0; }
 FIXDEM_INLINE Floats16 narrow(Lanes8 low, Lanes8 high) {
   const Floats8 first = Floats8(_mm512_maskz_cvtpd_ps(0xff, low)), second = Floats8(_mm512_maskz_cvtpd_ps(0xff, high));
   return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
@@ -113,6 +119,12 @@ FIXDEM_INLINE Floats16 abs(Floats16 a) {
   return detail::both<Floats16>(abs(detail::half<Floats8>(a, 0)), abs(detail::half<Floats8>(a, 1)));
 }
 FIXDEM_INLINE bool any(Mask8 mask) { return any(detail::half<Mask4>(mask, 0) | detail::half<Mask4>(mask, 1)); }
+FIXDEM_INLINE unsigned bits(Mask8 mask) {
+  return bits(detail::half<Mask4>(mask, 0)) | bits(detail::half<Mask4>(mask, 1)) << 4;
+}
+FIXDEM_INLINE unsigned bits(FloatMask16 mask) {
+  return bits(detail::half<FloatMask8>(mask, 0)) | bits(detail::half<FloatMask8>(mask, 1)) << 8;
+}
 FIXDEM_INLINE bool any(FloatMask16 mask) {
   return any(detail::half<FloatMask8>(mask, 0) | detail::half<FloatMask8>(mask, 1));
 }

@@ -27,17 +27,17 @@ struct ListingScratch {
 
   alignas(64) double x[span + 8], y[span + 8], z[span + 8];
   int key[kept_pairs];  ///< of the old pairs or walls, increasing
-  double history[kept_pairs][kept_numbers];
+  Real<Case> history[kept_pairs][kept_numbers];
   Offset own_row[Cap::chunk_size][Contacts<Case>::max_slots], incoming_row[Cap::chunk_size][Cap::neighbours];
 };
 
 namespace detail {
 
 /// Fills the lanes behind the last contact of a range with copies of the last one, history zero; they are masked out.
-template <int Size, class Batches>
+template <class Case, int Size, class Batches>
 void fill_last_batch(Batches& batches, int first_batch, int contacts) {
-  for (int k = contacts; k % 8 != 0; ++k) {
-    const int batch = first_batch + k / 8, lane = k % 8;
+  for (int k = contacts; k % Capacity<Case>::batch != 0; ++k) {
+    const int batch = first_batch + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
     batches.owner[batch][lane] = batches.owner[batch][lane - 1];
     if constexpr (requires { batches.partner; }) batches.partner[batch][lane] = batches.partner[batch][lane - 1];
     if constexpr (Size > 0)
@@ -54,10 +54,12 @@ class OldHistories {
   template <class Batches>
   void keep(const Batches& batches, int first_batch, int k, int key) {
     scratch_.key[k] = key;
-    for (int c = 0; c < size; ++c) scratch_.history[k][c] = batches.history.value[first_batch + k / 8][c][k % 8];
+    for (int c = 0; c < size; ++c)
+      scratch_.history[k][c] =
+          batches.history.value[first_batch + k / Capacity<Case>::batch][c][k % Capacity<Case>::batch];
     kept_ = k + 1;
   }
-  void restore(int key, double (*value)[8], int lane) {
+  void restore(int key, Real<Case> (*value)[Capacity<Case>::batch], int lane) {
     while (next_ < kept_ && scratch_.key[next_] < key) ++next_;
     const bool found = next_ < kept_ && scratch_.key[next_] == key;
     for (int c = 0; c < size; ++c) value[c][lane] = found ? scratch_.history[next_][c] : 0;
@@ -102,21 +104,26 @@ void gather_centres(ListingScratch<Case>& scratch, const Particles<Case>& p, int
   }
 }
 
-/// Lists the walls of one kind of a chunk; `is_near(number in the chunk)` decides, `restore` fills histories.
+/// Lists the walls of one kind of a chunk: those nearer than `margin`, by `is_near(margin, position)`; `restore(number
+/// in the chunk, history, lane)` fills histories.
 template <class Case, class Walls, class IsNear, class Restore>
-void list_walls(Walls& walls, int chunk, IsNear&& is_near, Restore&& restore) {
+void list_walls(Walls& walls, const Particles<Case>& p, int chunk, double margin, IsNear&& is_near, Restore&& restore) {
   constexpr int size = Walls::history_size;
   const int first = Walls::first(chunk);
-  int k = 0;
+  int k = 0, touching = 0;
   for (int i = 0; i < particles_in<Case>(chunk); ++i) {
-    if (!is_near(i)) continue;
-    const int batch = first + k / 8, lane = k % 8;
+    const double* position = p.position[chunk * Capacity<Case>::chunk_size + i];
+    if (!is_near(margin, position)) continue;
+    touching += is_near(0, position);
+    const int batch = first + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
     walls.owner[batch][lane] = Rows<Case>::offset(i);
     if constexpr (size > 0) restore(i, walls.history.value[batch], lane);
     ++k;
   }
   walls.count[chunk] = k;
-  fill_last_batch<size>(walls, first, k);
+  walls.sparse[chunk] = touching < sparse_below * k;
+  for (int b = 0; b < batches_for<Case>(k); ++b) walls.touching[first + b] = Capacity<Case>::all_lanes;
+  fill_last_batch<Case, size>(walls, first, k);
 }
 
 }  // namespace detail
@@ -137,7 +144,7 @@ Status list_pairs(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   const auto add = [&](int owner, int partner, double square) {
     if (k == Cap::chunk_pairs) is_full = true;
     if (is_full) return;
-    const int batch = first + k / 8, lane = k % 8;
+    const int batch = first + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
     pairs.owner[batch][lane] = Rows<Case>::offset(owner);
     pairs.partner[batch][lane] = Rows<Case>::offset(partner);
     if constexpr (PairBatches<Case>::history_size > 0) restore(owner, partner, pairs.history.value[batch], lane);
@@ -165,29 +172,25 @@ Status list_pairs(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   if (is_full) return {Fault::pair_capacity, 0, p.id[i - 1], Cap::chunk_pairs + 1, Cap::chunk_pairs};
   pairs.count[range] = k;
   pairs.sparse[range] = touching < sparse_below * k;
-  detail::fill_last_batch<PairBatches<Case>::history_size>(pairs, first, k);
+  for (int b = 0; b < batches_for<Case>(k); ++b) pairs.touching[first + b] = Cap::all_lanes;  // as far as is known
+  detail::fill_last_batch<Case, PairBatches<Case>::history_size>(pairs, first, k);
   int& most = wraps ? near.most_wrap_pairs : near.most_chunk_pairs;
   if (k > most) most = k;
   return {};
 }
 
-/// Whether a particle is within the margin of the pipe's wall, or of an end.
+/// Whether a place is nearer to the pipe's wall than a sphere that touches it plus the margin.
 template <class Case>
-struct NearPipe {
-  double margin;
-  bool operator()(const double* x) const {
-    const double q = Derived<Case>::pipe_radius - Derived<Case>::radius - margin;
-    return x[0] * x[0] + x[1] * x[1] > (q > 0 ? q * q : -1);
-  }
-};
+bool is_near_pipe(double margin, const double* x) {
+  const double q = Derived<Case>::pipe_radius - Derived<Case>::radius - margin;
+  return x[0] * x[0] + x[1] * x[1] > (q > 0 ? q * q : -1);
+}
+/// The same of an end.
 template <class Case>
-struct NearEnd {
-  double margin;
-  bool operator()(const double* x) const {
-    const double reach = Derived<Case>::radius + margin;
-    return x[2] < reach || x[2] > Case::pipe_length - reach;
-  }
-};
+bool is_near_end(double margin, const double* x) {
+  const double reach = Derived<Case>::radius + margin;
+  return x[2] < reach || x[2] > Case::pipe_length - reach;
+}
 
 /// Lists a range anew from the present places; particles have kept their numbers since it was listed last.
 template <class Case, int W>
@@ -209,27 +212,34 @@ Status list_again(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   if constexpr (has_history) {
     const int first = PairBatches<Case>::first(range);
     for (int k = 0; k < contacts.pairs.count[range]; ++k)
-      old.keep(contacts.pairs, first, k,
-               detail::pair_key<Case>(range, Rows<Case>::number(contacts.pairs.owner[first + k / 8][k % 8]),
-                                      Rows<Case>::number(contacts.pairs.partner[first + k / 8][k % 8])));
+      old.keep(
+          contacts.pairs, first, k,
+          detail::pair_key<Case>(
+              range,
+              Rows<Case>::number(contacts.pairs.owner[first + k / Capacity<Case>::batch][k % Capacity<Case>::batch]),
+              Rows<Case>::number(
+                  contacts.pairs.partner[first + k / Capacity<Case>::batch][k % Capacity<Case>::batch])));
   }
   const Status status =
-      list_pairs<Case, W>(contacts, near, p, scratch, range, [&](int owner, int partner, double(*value)[8], int lane) {
-        old.restore(detail::pair_key<Case>(range, owner, partner), value, lane);
-      });
+      list_pairs<Case, W>(contacts, near, p, scratch, range,
+                          [&](int owner, int partner, Real<Case>(*value)[Capacity<Case>::batch], int lane) {
+                            old.restore(detail::pair_key<Case>(range, owner, partner), value, lane);
+                          });
   if (!status.ok() || range == Cap::chunks) return status;
 
   const auto walls = [&](auto& kind, auto is_near) {
     detail::OldHistories<Case> old_walls(scratch);
     if constexpr (has_history)
       for (int k = 0; k < kind.count[range]; ++k)
-        old_walls.keep(kind, kind.first(range), k, Rows<Case>::number(kind.owner[kind.first(range) + k / 8][k % 8]));
-    detail::list_walls<Case>(
-        kind, range, [&](int i) { return is_near(p.position[range * Cap::chunk_size + i]); },
-        [&](int i, double(*value)[8], int lane) { old_walls.restore(i, value, lane); });
+        old_walls.keep(
+            kind, kind.first(range), k,
+            Rows<Case>::number(kind.owner[kind.first(range) + k / Capacity<Case>::batch][k % Capacity<Case>::batch]));
+    detail::list_walls(
+        kind, p, range, near.promise[range].margin, is_near,
+        [&](int i, Real<Case>(*value)[Capacity<Case>::batch], int lane) { old_walls.restore(i, value, lane); });
   };
-  if constexpr (Case::has_wall) walls(contacts.pipe, NearPipe<Case>{near.promise[range].margin});
-  if constexpr (Derived<Case>::has_ends) walls(contacts.ends, NearEnd<Case>{near.promise[range].margin});
+  if constexpr (Case::has_wall) walls(contacts.pipe, is_near_pipe<Case>);
+  if constexpr (Derived<Case>::has_ends) walls(contacts.ends, is_near_end<Case>);
   return status;
 }
 

@@ -13,22 +13,26 @@ namespace fixdem {
 
 namespace detail {
 
-/// One row of a particle in 8 / W (or 4 / W) registers.
-template <int Width, int W>
+/// Sum of rows of a particle, in as few registers as a row takes. W: lanes of the contact loop.
+template <int Width, int W, class T>
 struct RowSum {
   static constexpr int step = W < Width ? W : Width;
   static constexpr int parts = Width / step;
-  using V = Lanes<step>;
+  using V = Lanes<step, T>;
   V part[parts];
-  FIXDEM_INLINE void add(const double* row) {
+  FIXDEM_INLINE void add(const T* row) {
     for (int p = 0; p < parts; ++p) part[p] = part[p] + load<V>(row + p * step);
   }
 };
 
+/// Doubles of a row that are moved together.
+template <class Case, int W>
+inline constexpr int motion_step = W < Particles<Case>::motion_width ? W : Particles<Case>::motion_width;
+
 /// Partial values of the watch that the motion loop keeps in registers.
 template <class Case, int W>
 struct MotionWatch {
-  static constexpr int width = Particles<Case>::motion_width, step = RowSum<width, W>::step;
+  static constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   Partials<step, width> motion_square, square_sum;
   FIXDEM_INLINE explicit MotionWatch(const Watch<Case>& watch)
       : motion_square(watch.motion_square), square_sum(watch.square_sum) {}
@@ -39,7 +43,7 @@ struct MotionWatch {
 };
 template <class Case, int W>
 requires(Case::energy_ledger&& Case::has_gas) struct MotionWatch<Case, W> {
-  static constexpr int width = Particles<Case>::motion_width, step = RowSum<width, W>::step;
+  static constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   Partials<step, width> motion_square, square_sum, gas_work;
   FIXDEM_INLINE explicit MotionWatch(const Watch<Case>& watch)
       : motion_square(watch.motion_square), square_sum(watch.square_sum), gas_work(watch.ledger.gas_work) {}
@@ -50,42 +54,62 @@ requires(Case::energy_ledger&& Case::has_gas) struct MotionWatch<Case, W> {
   }
 };
 
+/// Velocity change of a particle by its contacts: own rows, less the forces of incoming ones (torques are equal on both
+/// spheres and are added). In mixed precision rows are summed in float, then widened.
+template <class Case, int W, int k, class Offset>
+FIXDEM_INLINE void sum_rows(
+    const Offset* own_rows, const Real<Case>* rows,
+    Lanes<motion_step<Case, W>> (&change)[Particles<Case>::motion_width / motion_step<Case, W>]) {
+  constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
+  using Sum = RowSum<width, contact_lanes<Case, W>, Real<Case>>;
+  alignas(64) static constexpr Real<Case> incoming_sign[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
+  Sum own{}, incoming{};
+  for (int s = 0; s < k; ++s) {
+    own.add(row_at<width>(rows, own_rows[s]));
+    incoming.add(row_at<width>(rows, own_rows[k + s]));
+  }
+  for (int p = 0; p < Sum::parts; ++p)
+    own.part[p] = fused(load<typename Sum::V>(incoming_sign + p * Sum::step), incoming.part[p], own.part[p]);
+  if constexpr (is_mixed<Case>) {
+    alignas(64) float sum[width];
+    for (int p = 0; p < Sum::parts; ++p) store(sum + p * Sum::step, own.part[p]);
+    for (int p = 0; p < width / step; ++p) change[p] = load_wide<step>(sum + p * step);
+  } else {
+    for (int p = 0; p < width / step; ++p) change[p] = own.part[p];
+  }
+}
+
 /// Moves the `particles_in_bucket` particles of one bucket with k own and k incoming rows each.
 template <class Case, int W, int k, class Offset>
-FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bucket, int base, const double* rows,
+FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bucket, int base, const Real<Case>* rows,
                                         Particles<Case>& particles, MotionWatch<Case, W>& watch) {
-  constexpr int width = Particles<Case>::motion_width;
-  using Sum = RowSum<width, W>;
-  using V = typename Sum::V;
-  using Half = Lanes<(Sum::step > 1 ? Sum::step / 2 : 1)>;  // the translation in a register of 8
+  constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
+  using V = Lanes<step>;
+  using Half = Lanes<(step > 1 ? step / 2 : 1)>;  // the translation in a register of 8
   alignas(64) static constexpr double gravity[8] = {
       Case::gravity[0] * Case::time_step, Case::gravity[1] * Case::time_step, Case::gravity[2] * Case::time_step};
-  alignas(64) static constexpr double incoming_sign[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
   alignas(64) static constexpr double inertia[8] = {1, 1, 1, 1, 2.5, 2.5, 2.5, 2.5};  // r^2 m / I
 
   for (int q = 0; q < particles_in_bucket; ++q, entry += 2 * k + 1) {
     const int i = base + Rows<Case>::number(entry[0]);
-    Sum own{}, incoming{};
-    for (int s = 0; s < k; ++s) {
-      own.add(row_at<width>(rows, entry[1 + s]));
-      incoming.add(row_at<width>(rows, entry[1 + k + s]));
-    }
-    for (int p = 0; p < Sum::parts; ++p) {
-      const int column = p * Sum::step;
+    V change[width / step];
+    sum_rows<Case, W, k>(entry + 1, rows, change);
+    for (int p = 0; p < width / step; ++p) {
+      const int column = p * step;
       V gas{};
-      if constexpr (Case::has_gas && Sum::step == 8)
+      if constexpr (Case::has_gas && step == 8)
         gas = __builtin_shufflevector(load<Half>(particles.gas_kick.row[i]), Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
       else if constexpr (Case::has_gas)
         if (column < 4) gas = load<V>(particles.gas_kick.row[i] + column);
-      const V contacts = fused(load<V>(incoming_sign + column), incoming.part[p], own.part[p]);
-      const V kick = contacts + load<V>(gravity + column) + gas;
+      const V kick = change[p] + load<V>(gravity + column) + gas;
       double* motion = particles.motion[i] + column;
       const V moved = fused(load<V>(inertia + column), kick, load<V>(motion));
       store(motion, moved);
+      if constexpr (is_mixed<Case>) store_narrow<step>(particles.motion_as_float.row[i] + column, moved);
       const V square = moved * moved;
       watch.motion_square.part[p] = max(square, watch.motion_square.part[p]);
       watch.square_sum.part[p] = square + watch.square_sum.part[p];
-      if constexpr (Sum::step == 8) {
+      if constexpr (step == 8) {
         const Half velocity = __builtin_shufflevector(moved, moved, 0, 1, 2, 3);
         double* position = particles.position[i];
         store(position, fused(velocity, splat<Half>(Case::time_step), load<Half>(position)));
@@ -104,7 +128,7 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
 }
 
 template <class Case, int W, int k, class Offset>
-FIXDEM_INLINE void move_buckets_from(const Offset* entry, const int* bucket, int base, const double* rows,
+FIXDEM_INLINE void move_buckets_from(const Offset* entry, const int* bucket, int base, const Real<Case>* rows,
                                      Particles<Case>& particles, MotionWatch<Case, W>& watch) {
   entry = move_bucket<Case, W, k>(entry, bucket[k], base, rows, particles, watch);
   if constexpr (k < Contacts<Case>::max_slots)
@@ -115,7 +139,7 @@ FIXDEM_INLINE void move_buckets_from(const Offset* entry, const int* bucket, int
 
 /// Sums the rows of every particle of one chunk and moves it. `rows`: the ring of the step.
 template <class Case, int W>
-void move(const Contacts<Case>& contacts, Particles<Case>& particles, int chunk, const double* rows,
+void move(const Contacts<Case>& contacts, Particles<Case>& particles, int chunk, const Real<Case>* rows,
           Watch<Case>& totals) {
   detail::MotionWatch<Case, W> watch(totals);
   detail::move_buckets_from<Case, W, 0>(contacts.slots[chunk], contacts.bucket[chunk],

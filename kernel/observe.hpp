@@ -48,7 +48,8 @@ struct Observed {
 /// One contact from its geometry and relative motion.
 template <class Case, bool is_wall>
 Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec3<double>& n,
-                               const Motion<double>& motion, const double (*kept)[8], int lane) {
+                               const Motion<double>& motion, const Real<Case> (*kept)[Capacity<Case>::batch],
+                               int lane) {
   using Law = ContactLaw<Case, is_wall>;
   constexpr double to_newton = 1 / Law::scale;
   const Springs<double> k = springs<Law, Case>(overlap);
@@ -105,25 +106,33 @@ void for_each_observed(const State<Case>& s, F&& f) {
     const Motion<double> a = motion_of(p, i), b = motion_of(p, j);
     const Motion<double> m = {{a.velocity.x - b.velocity.x, a.velocity.y - b.velocity.y, a.velocity.z - b.velocity.z},
                               {a.spin.x + b.spin.x, a.spin.y + b.spin.y, a.spin.z + b.spin.z}};
-    const auto* kept = history_of<ContactLaw<Case, false>::history_size>(contacts.pairs, batch);
+    const auto* kept = history_of<Case, ContactLaw<Case, false>::history_size>(contacts.pairs, batch);
     f(observe_contact<Case, false>(p.id[i], p.id[j], overlap, scale(1 / distance, r), m, kept, lane));
   });
   const auto see_walls = [&](const auto& walls, auto surface, auto name) {
     for_each_near_wall<Case>(walls, [&](int batch, int lane, int i) {
       Vec3<double> n;
-      const double overlap = surface(Vec3<double>{p.position[i][0], p.position[i][1], p.position[i][2]}, n);
+      const double overlap = surface(p.position[i], n);
       if (!(overlap > 0)) return;
-      const auto* kept = history_of<ContactLaw<Case, true>::history_size>(walls, batch);
+      const auto* kept = history_of<Case, ContactLaw<Case, true>::history_size>(walls, batch);
       f(observe_contact<Case, true>(p.id[i], name(n), overlap, n, motion_of(p, i), kept, lane));
     });
   };
   if constexpr (Case::has_wall)
     see_walls(
-        contacts.pipe, [](const Vec3<double>& x, Vec3<double>& n) { return PipeSurface<Case>::overlap(x, n); },
+        contacts.pipe,
+        [](const double* x, Vec3<double>& n) {
+          const double q = sqrt(fused(x[1], x[1], x[0] * x[0])), inverse = 1 / max(q, 1e-300);
+          n = {inverse * x[0], inverse * x[1], 0};
+          return q - PipeSurface<Case>::reach;
+        },
         [](const Vec3<double>&) { return pipe_wall; });
   if constexpr (Derived<Case>::has_ends)
     see_walls(
-        contacts.ends, [](const Vec3<double>& x, Vec3<double>& n) { return EndSurfaces<Case>::overlap(x, n); },
+        contacts.ends,
+        [](const double* x, Vec3<double>& n) {
+          return EndSurfaces<Case>::resolve(EndSurfaces<Case>::separation(Vec3<double>{x[0], x[1], x[2]}), n);
+        },
         [](const Vec3<double>& n) { return n.z < 0 ? start_end : far_end; });
 }
 

@@ -4,6 +4,7 @@
 // pad (64 bytes; without friction there is no rotation and the row is 32). Particles are renumbered by z whenever the
 // near list is renewed, so neighbours in space are neighbours in memory; `id` keeps the number in input order. With the
 // leapfrog, positions are held half a step ahead of velocities, and the last change of velocity is kept for prediction.
+// In mixed precision contacts look up a copy of the motion in floats.
 #pragma once
 
 #include "case.hpp"
@@ -24,6 +25,13 @@ struct RowsOf4 {
 };
 template <int Count>
 struct RowsOf4<Count, false> {};
+
+template <int Count, int Width, bool present>
+struct FloatRows {
+  alignas(64) float row[Count][Width];
+};
+template <int Count, int Width>
+struct FloatRows<Count, Width, false> {};
 }  // namespace detail
 
 template <class Case>
@@ -35,10 +43,24 @@ struct Particles {
 
   alignas(64) double position[count][4];
   alignas(64) double motion[count][motion_width];
+  [[no_unique_address]] detail::FloatRows<count, motion_width, is_mixed<Case>> motion_as_float;
   [[no_unique_address]] detail::RowsOf4<count, predicts> last_kick;      ///< velocity change of the last step
   [[no_unique_address]] detail::RowsOf4<count, Case::has_gas> gas_kick;  ///< velocity change per step by the gas
   int id[count];
   int image[count];  ///< crossings of the periodic ends
+
+  /// Motion as contacts look it up, from row `first` on.
+  const Real<Case>* looked_up_motion(int first) const {
+    if constexpr (is_mixed<Case>)
+      return motion_as_float.row[first];
+    else
+      return motion[first];
+  }
+  /// Brings what contacts look up in line with `motion`; the step does so itself.
+  void note_motion([[maybe_unused]] int i) {
+    if constexpr (is_mixed<Case>)
+      for (int c = 0; c < motion_width; ++c) motion_as_float.row[i][c] = static_cast<float>(motion[i][c]);
+  }
 };
 
 }  // namespace fixdem

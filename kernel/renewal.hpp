@@ -93,31 +93,31 @@ Status renew(Contacts<Case>& contacts, NearList<Case>& near, Particles<Case>& p,
   if constexpr (D::is_periodic) wrap_into_pipe(p);
   sort_along_pipe(p, first_gap);
   if (const Status status = find_reaches(near, p); !status.ok()) return status;
+  for (int i = 0; i < Case::particle_count; ++i) p.note_motion(i);
   ++near.sorts;
 
   for (int range = 0; range < NearList<Case>::ranges; ++range) {
     near.promise_anew(range);
     const PairRange<Case> at(range);
-    const Status status = list_pairs<Case, W>(
-        contacts, near, p, scratch, range, [&](int owner, int partner, double(*value)[8], int lane) {
-          if constexpr (D::has_friction)
-            kept.restore(p.id[at.owner_base + owner], p.id[at.partner_base + partner], value, lane);
-        });
+    const Status status =
+        list_pairs<Case, W>(contacts, near, p, scratch, range,
+                            [&](int owner, int partner, Real<Case>(*value)[Capacity<Case>::batch], int lane) {
+                              if constexpr (D::has_friction)
+                                kept.restore(p.id[at.owner_base + owner], p.id[at.partner_base + partner], value, lane);
+                            });
     if (!status.ok()) return status;
     if (range == Cap::chunks) break;
     const int base = range * Cap::chunk_size;
     const auto walls = [&](auto& kind, auto is_near, auto histories) {
-      detail::list_walls<Case>(
-          kind, range, [&](int i) { return is_near(p.position[base + i]); },
-          [&](int i, double(*value)[8], int lane) {
-            if constexpr (D::has_friction)
-              for (int c = 0; c < KeptHistory<Case>::size; ++c) value[c][lane] = histories(p.id[base + i])[c];
-          });
+      detail::list_walls(kind, p, range, near.promise[range].margin, is_near,
+                         [&](int i, Real<Case>(*value)[Cap::batch], int lane) {
+                           if constexpr (D::has_friction)
+                             for (int c = 0; c < KeptHistory<Case>::size; ++c)
+                               value[c][lane] = histories(p.id[base + i])[c];
+                         });
     };
-    if constexpr (Case::has_wall)
-      walls(contacts.pipe, NearPipe<Case>{near.promise[range].margin}, [&](int id) { return kept.of_pipe(id); });
-    if constexpr (D::has_ends)
-      walls(contacts.ends, NearEnd<Case>{near.promise[range].margin}, [&](int id) { return kept.of_end(id); });
+    if constexpr (Case::has_wall) walls(contacts.pipe, is_near_pipe<Case>, [&](int id) { return kept.of_pipe(id); });
+    if constexpr (D::has_ends) walls(contacts.ends, is_near_end<Case>, [&](int id) { return kept.of_end(id); });
   }
   for (int chunk = 0; chunk < Cap::chunks; ++chunk)
     if (const Status status = list_slots(contacts, near, p, scratch, chunk); !status.ok()) return status;

@@ -13,12 +13,12 @@ namespace fixdem {
 /// First row of the walls of a chunk, behind its pairs; of the ends, behind the pipe's.
 template <class Case>
 int first_pipe_row(const Contacts<Case>& contacts, int chunk) {
-  return Rows<Case>::first(chunk) + 8 * batches_for(contacts.pairs.count[chunk]);
+  return Rows<Case>::first(chunk) + Capacity<Case>::batch * batches_for<Case>(contacts.pairs.count[chunk]);
 }
 template <class Case>
 int first_end_row(const Contacts<Case>& contacts, int chunk) {
   int row = first_pipe_row(contacts, chunk);
-  if constexpr (Case::has_wall) row += 8 * batches_for(contacts.pipe.count[chunk]);
+  if constexpr (Case::has_wall) row += Capacity<Case>::batch * batches_for<Case>(contacts.pipe.count[chunk]);
   return row;
 }
 
@@ -44,7 +44,7 @@ Status list_slots(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   const auto book_range = [&](int range, int owner_base, int partner_base, int first_row) {
     const int first = PairBatches<Case>::first(range);
     for (int k = 0; k < contacts.pairs.count[range]; ++k) {
-      const int batch = first + k / 8, lane = k % 8;
+      const int batch = first + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
       const int owner = owner_base + R::number(contacts.pairs.owner[batch][lane]) - base;
       const int partner = partner_base + R::number(contacts.pairs.partner[batch][lane]) - base;
       if (owner >= 0 && owner < particles) book(owner, scratch.own_row, own, first_row + k);
@@ -55,7 +55,7 @@ Status list_slots(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   book_range(chunk, base, base, R::first(chunk));
   const auto book_walls = [&](const auto& walls, int first_row) {
     for (int k = 0; k < walls.count[chunk]; ++k) {
-      const int i = R::number(walls.owner[walls.first(chunk) + k / 8][k % 8]);
+      const int i = R::number(walls.owner[walls.first(chunk) + k / Capacity<Case>::batch][k % Capacity<Case>::batch]);
       scratch.own_row[i][own[i]++] = R::offset(first_row + k);
     }
   };

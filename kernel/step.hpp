@@ -8,6 +8,7 @@
 
 #include "floaters.hpp"
 #include "motion.hpp"
+#include "pair_contacts.hpp"
 #include "renewal.hpp"
 #include "wall_contacts.hpp"
 
@@ -88,7 +89,7 @@ Status check_chunk(const State<Case>& s, int chunk, long long step) {
 
 /// Force rows of one range into the ring of the step; its near list is seen to first.
 template <class Case, int W>
-void write_rows(State<Case>& s, int range, double* ring, long long step) {
+void write_rows(State<Case>& s, int range, Real<Case>* ring, long long step) {
   using Cap = Capacity<Case>;
   constexpr int width = Contacts<Case>::row_width;
   if (s.near_list.is_broken(range)) {
@@ -97,11 +98,8 @@ void write_rows(State<Case>& s, int range, double* ring, long long step) {
   }
   Watch<Case>& watch = s.watch[range];
   watch.begin_step();
-  double* rows = ring + (range == Cap::chunks ? Rows<Case>::wrap_first : Rows<Case>::first(range)) * width;
-  if (s.contacts.pairs.sparse[range])
-    pair_contacts<Case, W, true>(s.contacts.pairs, s.particles, range, rows, watch);
-  else
-    pair_contacts<Case, W, false>(s.contacts.pairs, s.particles, range, rows, watch);
+  Real<Case>* rows = ring + (range == Cap::chunks ? Rows<Case>::wrap_first : Rows<Case>::first(range)) * width;
+  pair_contacts<Case, W>(s.contacts.pairs, s.particles, range, rows, watch);
   if (range == Cap::chunks) {
     if (const Status deep = check_overlap(s, range); !deep.ok()) detail::note(s, deep, step + 1);
     return;
@@ -116,7 +114,7 @@ void write_rows(State<Case>& s, int range, double* ring, long long step) {
 
 /// Sums the rows of a chunk, moves its particles, and checks them.
 template <class Case, int W>
-void move_chunk(State<Case>& s, int chunk, const double* ring, long long step) {
+void move_chunk(State<Case>& s, int chunk, const Real<Case>* ring, long long step) {
   if (s.contacts.slots_are_stale[chunk]) {
     const Status status = list_slots(s.contacts, s.near_list, s.particles, s.scratch, chunk);
     if (!status.ok()) detail::note(s, status, step);
@@ -145,7 +143,7 @@ void begin_step(State<Case>& s) {
 /// One time step of the whole pipe. `W`: lanes per register.
 template <class Case, int W>
 void step(State<Case>& s) {
-  double* ring = s.contacts.rows[0];
+  Real<Case>* ring = s.contacts.rows[0];
   if constexpr (Derived<Case>::is_periodic) write_rows<Case, W>(s, Capacity<Case>::chunks, ring, s.step);
   for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk) {
     write_rows<Case, W>(s, chunk, ring, s.step);

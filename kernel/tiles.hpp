@@ -45,9 +45,9 @@ namespace detail {
 
 /// Copies the rows that a chunk has written, between a ring and the rows kept for the second phase.
 template <class Case>
-void copy_rows(const Contacts<Case>& contacts, int chunk, const double* from, double* to) {
+void copy_rows(const Contacts<Case>& contacts, int chunk, const Real<Case>* from, Real<Case>* to) {
   int rows = first_end_row(contacts, chunk) - Rows<Case>::first(chunk);
-  if constexpr (Derived<Case>::has_ends) rows += 8 * batches_for(contacts.ends.count[chunk]);
+  if constexpr (Derived<Case>::has_ends) rows += Capacity<Case>::batch * batches_for<Case>(contacts.ends.count[chunk]);
   for (int k = 0; k < rows * Contacts<Case>::row_width; ++k) to[k] = from[k];
 }
 

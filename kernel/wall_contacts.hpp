@@ -1,82 +1,135 @@
-// The wall loops: the pipe's inner surface, and the flat ends of a closed pipe.
+// Walls: the side of the contact loop whose partner neither moves nor turns.
 //
-// The same two stages and the same law as for pairs, with the wall's coefficients (eqs. 17, 22) and a partner that
-// neither moves nor turns. Overlap with the pipe is q - (R - r), q the distance of the centre from the axis, normal
-// outwards; with an end it is r - z or z - (L - r). A particle has one contact of each kind at most.
+// The pipe's inner surface, with overlap q - (R - r), q the distance of the centre from the axis, normal outwards; and
+// the flat ends of a closed pipe, with overlap r - z or z - (L - r). A particle has one contact of each kind at most;
+// the law is that of pairs with the wall's coefficients (eqs. 17, 22). In mixed precision q^2 - (R - r)^2 and the
+// overlap with an end are formed in double and narrowed.
 #pragma once
 
-#include "pair_contacts.hpp"
+#include "contact_loop.hpp"
 
 namespace fixdem {
 
-/// Geometry of one batch of near walls; `Surface` gives overlap and outward normal from positions. `excess`: zero, and
-/// far above in lanes that are copies and must stay open.
-template <class Case, int W, class Surface, class Offset>
-FIXDEM_INLINE void wall_geometry(const Offset* owner, const double* rows, const double* excess, ContactGeometry& g,
-                                 ContactWatch<Case, W>& watch) {
-  using V = Lanes<W>;
-  for (int lane = 0; lane < 8; lane += W) {
-    const Vec3<V> position = load_vectors<W>(rows, owner + lane);
-    Vec3<V> normal;
-    const V overlap = max(Surface::overlap(position, normal) - load_any<V>(excess + lane), V{});
-    detail::store_geometry<ContactLaw<Case, true>, Case>(g, lane, normal, overlap);
-    watch.overlap.part[lane / W] = max(overlap, watch.overlap.part[lane / W]);
-  }
-}
-
+/// Measure: q^2; mixed: q^2 - (R - r)^2.
 template <class Case>
 struct PipeSurface {
+  static constexpr double reach = Derived<Case>::pipe_radius - Derived<Case>::radius;
+
   template <class V>
-  static FIXDEM_INLINE V overlap(const Vec3<V>& position, Vec3<V>& normal) {
-    const V q = sqrt(fused(position.y, position.y, position.x * position.x));
-    const V inverse = 1.0 / max(q, splat<V>(1e-300));  // on the axis there is no normal, and no contact
-    normal = {position.x * inverse, position.y * inverse, V{}};
-    return q - (Derived<Case>::pipe_radius - Derived<Case>::radius);
+  static FIXDEM_INLINE Separation<V> separation(const Vec3<V>& x) {
+    const V square = fused(x.y, x.y, x.x * x.x);
+    return {{x.x, x.y, V{}}, is_mixed<Case> ? square - reach * reach : square};
+  }
+  template <class V>
+  static FIXDEM_INLINE auto touches(V measure) {
+    if constexpr (is_mixed<Case>)
+      return measure > V{};
+    else
+      return measure > reach * reach;
+  }
+  /// On the axis there is no normal, and no contact.
+  template <class V>
+  static FIXDEM_INLINE V resolve(const Separation<V>& s, Vec3<V>& n) {
+    if constexpr (is_mixed<Case>) {
+      const V q = sqrt(max(s.measure + constant<V>(reach * reach), V{}));
+      n = scale(constant<V>(1) / max(q, splat<V>(1e-30)), s.way);
+      return s.measure / (q + constant<V>(reach));
+    } else {
+      const V q = sqrt(s.measure);
+      n = scale(1.0 / max(q, splat<V>(1e-300)), s.way);
+      return q - reach;
+    }
   }
 };
 
+/// Measure: the overlap itself; the way is along z.
 template <class Case>
 struct EndSurfaces {
   template <class V>
-  static FIXDEM_INLINE V overlap(const Vec3<V>& position, Vec3<V>& normal) {
-    const auto at_start = position.z < 0.5 * Case::pipe_length;
-    normal = {V{}, V{}, select(at_start, splat<V>(-1.0), splat<V>(1.0))};
-    return select(at_start, Derived<Case>::radius - position.z,
-                  position.z - (Case::pipe_length - Derived<Case>::radius));
+  static FIXDEM_INLINE Separation<V> separation(const Vec3<V>& x) {
+    const auto at_start = x.z < 0.5 * Case::pipe_length;
+    return {{V{}, V{}, select(at_start, splat<V>(-1.0), splat<V>(1.0))},
+            select(at_start, Derived<Case>::radius - x.z, x.z - (Case::pipe_length - Derived<Case>::radius))};
+  }
+  template <class V>
+  static FIXDEM_INLINE auto touches(V measure) {
+    return measure > V{};
+  }
+  template <class V>
+  static FIXDEM_INLINE V resolve(const Separation<V>& s, Vec3<V>& n) {
+    n = s.way;
+    return s.measure;
   }
 };
 
-/// Force rows of the near walls of one kind in one chunk, written from `rows` on.
-template <class Case, int W, class Surface, class Walls>
-void wall_contacts(Walls& walls, const Particles<Case>& particles, int chunk, double* rows, Watch<Case>& totals) {
+template <class Case, class Surface>
+struct WallSide {
   using Law = ContactLaw<Case, true>;
-  constexpr int width = Particles<Case>::motion_width;
-  const int base = chunk * Capacity<Case>::chunk_size;
-  const int count = walls.count[chunk], first = Walls::first(chunk), last = first + batches_for(count);
-  static constexpr LanesUpTo excess(0.0, 1e300);
-  ContactWatch<Case, W> watch(totals);
-  ContactGeometry geometry[batches_per_group];
-  for (int group = first; group < last; group += batches_per_group) {
-    const int size = last - group < batches_per_group ? last - group : batches_per_group;
-    for (int b = 0; b < size; ++b)
-      wall_geometry<Case, W, Surface>(walls.owner[group + b], particles.position[base],
-                                      excess.of(count - 8 * (group + b - first)), geometry[b], watch);
-    for (int b = 0; b < size; ++b, rows += 8 * width) {
-      const auto* owner = walls.owner[group + b];
-      double(*history)[8] = detail::history_of<Law::history_size>(walls, group + b);
-      for (int lane = 0; lane < 8; lane += W) {
-        Motion<Lanes<W>> motion{};
-        if constexpr (Derived<Case>::has_friction)
-          motion = load_motion<W>(particles.motion[base], owner + lane);
-        else
-          motion.velocity = load_vectors<W>(particles.motion[base], owner + lane);
-        Vec3<Lanes<W>> kick{};
-        if constexpr (Particles<Case>::predicts) kick = load_vectors<W>(particles.last_kick.row[base], owner + lane);
-        detail::contact_rows<Law, Case, W>(geometry[b], lane, motion, kick, history, rows, watch);
-      }
-    }
+  using R = Real<Case>;
+  /// Taken off the overlap: nothing inside, more than any overlap outside.
+  static constexpr LanesUpTo<Case> limits{0.0, 1e30};
+
+  const double* position;
+  const R* moving;
+  const double* last_kick = nullptr;
+
+  WallSide(const Particles<Case>& particles, int chunk) {
+    const int base = chunk * Capacity<Case>::chunk_size;
+    position = particles.position[base];
+    moving = particles.looked_up_motion(base);
+    if constexpr (Particles<Case>::predicts) last_kick = particles.last_kick.row[base];
   }
-  watch.put_back(totals);
+
+  template <int W, class Offset>
+  FIXDEM_INLINE Separation<Lanes<W, R>> separation(const Offset* owner, const Offset*) const {
+    const auto part = [&](auto width, int lane) FIXDEM_INLINE_LAMBDA {
+      return Surface::separation(load_vectors<decltype(width)::value>(position, owner + lane));
+    };
+    if constexpr (is_mixed<Case>)
+      return narrowed<W>(part);
+    else
+      return part(std::integral_constant<int, W>{}, 0);
+  }
+  template <class V>
+  FIXDEM_INLINE auto touches(const Separation<V>& s) const {
+    return Surface::touches(s.measure);
+  }
+  template <class V>
+  FIXDEM_INLINE V resolve(const Separation<V>& s, V limit, Vec3<V>& n) const {
+    return max(Surface::resolve(s, n) - limit, V{});
+  }
+  template <int W, class Offset>
+  FIXDEM_INLINE Motion<Lanes<W, R>> motion(const Offset* owner, const Offset*) const {
+    if constexpr (Derived<Case>::has_friction)
+      return load_motion<W>(moving, owner);
+    else
+      return {load_vectors<W>(moving, owner), {}};
+  }
+  template <int W, class Offset>
+  FIXDEM_INLINE Vec3<Lanes<W, R>> kick(const Offset* owner, const Offset*) const {
+    const auto part = [&](auto width, int lane) FIXDEM_INLINE_LAMBDA {
+      constexpr int w = decltype(width)::value;
+      return Separation<Lanes<w>>{load_vectors<w>(last_kick, owner + lane), {}};
+    };
+    if constexpr (!Particles<Case>::predicts)
+      return Vec3<Lanes<W, R>>{};
+    else if constexpr (is_mixed<Case>)
+      return narrowed<W>(part).way;
+    else
+      return part(std::integral_constant<int, W>{}, 0).way;
+  }
+};
+
+/// Force rows of the near walls of one kind in one chunk, written from `rows` on. `W`: doubles per register.
+template <class Case, int W, class Surface, class Walls>
+void wall_contacts(Walls& walls, const Particles<Case>& particles, int chunk, Real<Case>* rows, Watch<Case>& watch) {
+  constexpr int lanes = contact_lanes<Case, W>;
+  const WallSide<Case, Surface> side(particles, chunk);
+  const int first = Walls::first(chunk), count = walls.count[chunk];
+  if (walls.sparse[chunk])
+    sparse_contacts<Case, lanes>(side, walls, first, count, rows, watch);
+  else
+    dense_contacts<Case, lanes>(side, walls, first, count, rows, watch);
 }
 
 }  // namespace fixdem

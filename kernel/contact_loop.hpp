@@ -1,0 +1,289 @@
+// The contact loop: force rows of the near pairs or near walls of one range, batch by batch.
+//
+// Two stages over groups of batches, through a buffer in the first-level cache: geometry and roots, then velocities and
+// the law. One long chain of dependent operations per batch would leave the core idle; eight independent ones do not.
+// What differs between pairs and walls is a `Side` (pair_contacts.hpp, wall_contacts.hpp): it knows the separation of a
+// contact, its normal and overlap, and the relative motion.
+//
+// A row is written for every near contact, zero where nothing touches. Dense ranges compute all lanes. In sparse ranges
+// (most listed contacts do not touch) the separations of all are looked at first, and those that touch are gathered
+// into full batches; each lane then computes exactly what it would have in place.
+#pragma once
+
+#include "contacts.hpp"
+#include "watch.hpp"
+
+namespace fixdem {
+
+inline constexpr int batches_per_group = 8;
+
+/// What a side knows of W contacts before any root: `measure` is the square of a distance, or a difference of squares.
+template <class V>
+struct Separation {
+  Vec3<V> way;
+  V measure;
+};
+
+/// Separation of W contacts in floats from parts computed in double: part(width, first lane).
+template <int W, class Part>
+FIXDEM_INLINE Separation<Lanes<W, float>> narrowed(Part&& part) {
+  if constexpr (W == 1) {
+    const Separation<double> s = part(std::integral_constant<int, 1>{}, 0);
+    return {{narrow(s.way.x), narrow(s.way.y), narrow(s.way.z)}, narrow(s.measure)};
+  } else {
+    const std::integral_constant<int, W / 2> width;
+    const Separation<Lanes<W / 2>> a = part(width, 0), b = part(width, W / 2);
+    return {{narrow(a.way.x, b.way.x), narrow(a.way.y, b.way.y), narrow(a.way.z, b.way.z)},
+            narrow(a.measure, b.measure)};
+  }
+}
+
+/// What the first stage hands to the second, for one batch.
+template <class Case>
+struct ContactGeometry {
+  static constexpr int batch = Capacity<Case>::batch;
+  alignas(64) Real<Case> normal[3][batch];
+  alignas(64) Real<Case> repulsion[batch];
+  alignas(64) Real<Case> damping[batch];
+  alignas(64) Real<Case> tangential_stiffness[batch];
+};
+
+/// Limits for a batch in which only the first lanes count: `inside` in those, `outside` in the others.
+template <class Case>
+struct LanesUpTo {
+  static constexpr int batch = Capacity<Case>::batch;
+  Real<Case> value[2 * batch];
+  constexpr LanesUpTo(double inside, double outside) : value{} {
+    for (int k = 0; k < 2 * batch; ++k) value[k] = static_cast<Real<Case>>(k < batch ? inside : outside);
+  }
+  const Real<Case>* of(int valid) const { return value + (valid < batch ? batch - valid : 0); }
+};
+
+/// Partial values of the watch that the contact loops keep in registers.
+template <class Case, int W>
+struct ContactWatch {
+  Partials<W, Capacity<Case>::batch, Real<Case>> overlap;
+  FIXDEM_INLINE explicit ContactWatch(const Watch<Case>& watch) : overlap(watch.overlap) {}
+  FIXDEM_INLINE void put_back(Watch<Case>& watch) const { overlap.put_back(watch.overlap); }
+};
+template <class Case, int W>
+requires(Case::energy_ledger) struct ContactWatch<Case, W> {
+  static constexpr int doubles = is_mixed<Case> && W > 1 ? W / 2 : W;  // energies are summed in double always
+  Partials<W, Capacity<Case>::batch, Real<Case>> overlap;
+  Partials<doubles, Capacity<Case>::batch> damping_power, sliding_work;
+  FIXDEM_INLINE explicit ContactWatch(const Watch<Case>& watch)
+      : overlap(watch.overlap), damping_power(watch.ledger.damping_power), sliding_work(watch.ledger.sliding_work) {}
+  FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
+    overlap.put_back(watch.overlap);
+    damping_power.put_back(watch.ledger.damping_power);
+    sliding_work.put_back(watch.ledger.sliding_work);
+  }
+  template <class V>
+  static FIXDEM_INLINE void add(Partials<doubles, Capacity<Case>::batch>& sums, int lane, V value) {
+    if constexpr (is_mixed<Case>) {
+      alignas(64) float values[W];
+      store(values, value);
+      for (int k = 0; k < W; k += doubles)
+        sums.part[(lane + k) / doubles] = sums.part[(lane + k) / doubles] + load_wide<doubles>(values + k);
+    } else {
+      sums.part[lane / W] = sums.part[lane / W] + value;
+    }
+  }
+};
+
+namespace detail {
+
+/// First stage of W contacts: normal, overlap and springs; eqs. (16), (17), (21), (22), (26).
+template <class Case, int W, class Side>
+FIXDEM_INLINE void store_geometry(const Side& side, const Separation<Lanes<W, Real<Case>>>& separation,
+                                  const Real<Case>* limit, int lane, ContactGeometry<Case>& g,
+                                  ContactWatch<Case, W>& watch) {
+  using V = Lanes<W, Real<Case>>;
+  Vec3<V> n;
+  const V overlap = side.resolve(separation, load_any<V>(limit + lane), n);
+  const Springs<V> k = springs<typename Side::Law, Case>(overlap);
+  store(g.normal[0] + lane, n.x);
+  store(g.normal[1] + lane, n.y);
+  store(g.normal[2] + lane, n.z);
+  store(g.repulsion + lane, k.repulsion);
+  store(g.damping + lane, k.damping);
+  store(g.tangential_stiffness + lane, k.tangential_stiffness);
+  watch.overlap.part[lane / W] = max(overlap, watch.overlap.part[lane / W]);
+}
+
+/// Second stage of W contacts: the law, the history and the force rows. `motion`: velocity of the owner relative to its
+/// partner and sum of the spins; `kick`: the same difference of the last velocity change (leapfrog).
+template <class Case, int W, class Law>
+FIXDEM_INLINE void contact_rows(const ContactGeometry<Case>& g, int lane, const Motion<Lanes<W, Real<Case>>>& motion,
+                                const Vec3<Lanes<W, Real<Case>>>& kick, Real<Case> (*kept)[Capacity<Case>::batch],
+                                Real<Case>* row, ContactWatch<Case, W>& watch) {
+  using V = Lanes<W, Real<Case>>;
+  constexpr bool has_friction = Derived<Case>::has_friction;
+  const Vec3<V> n = {load<V>(g.normal[0] + lane), load<V>(g.normal[1] + lane), load<V>(g.normal[2] + lane)};
+  const Springs<V> k = {load<V>(g.repulsion + lane), load<V>(g.damping + lane), load<V>(g.tangential_stiffness + lane)};
+  const auto touching = k.tangential_stiffness > V{};
+
+  const V normal_velocity = dot(motion.velocity, n);
+  V damped_velocity = normal_velocity;
+  if constexpr (Case::integrator == Integrator::leapfrog)
+    damped_velocity = fused(splat<V>(0.5), dot(kick, n), damped_velocity);
+
+  History<V> history{};
+  Vec3<V> surface_velocity = motion.velocity;
+  if constexpr (has_friction) {
+    surface_velocity = add_cross(motion.velocity, motion.spin, n);
+    history.spring = {load<V>(kept[0] + lane), load<V>(kept[1] + lane), load<V>(kept[2] + lane)};
+    if constexpr (Law::history_size == 4) history.last_tangential_stiffness = load<V>(kept[3] + lane);
+  }
+
+  const ContactForce<V> f =
+      contact_force<Law, Case>(k, n, surface_velocity, normal_velocity, damped_velocity, touching, history);
+
+  using RowStore = RowLanes<W, Real<Case>>;
+  if constexpr (has_friction) {
+    store(kept[0] + lane, history.spring.x);
+    store(kept[1] + lane, history.spring.y);
+    store(kept[2] + lane, history.spring.z);
+    if constexpr (Law::history_size == 4) store(kept[3] + lane, history.last_tangential_stiffness);
+    RowStore::store_rows(row + 8 * lane, f.force, cross(n, f.force));  // eq. (14); scaled by r in motion.hpp
+  } else {
+    RowStore::store_rows(row + 4 * lane, f.force);
+  }
+  if constexpr (Case::energy_ledger) {
+    watch.add(watch.damping_power, lane, f.damping_power);
+    watch.add(watch.sliding_work, lane, f.sliding_work);
+  }
+}
+
+/// History block of a batch, or nothing where the case keeps none.
+template <class Case, int Size, class Batches>
+FIXDEM_INLINE auto history_of(Batches& batches, int batch) {
+  if constexpr (Size > 0) {
+    return batches.history.value[batch];
+  } else {
+    return static_cast<Real<Case>(*)[Capacity<Case>::batch]>(nullptr);
+  }
+}
+
+/// Row numbers of the partners of a batch; walls have none, and their side does not look.
+template <class Batches>
+FIXDEM_INLINE const auto* partners_of(const Batches& batches, int batch) {
+  if constexpr (requires { batches.partner; })
+    return batches.partner[batch];
+  else
+    return batches.owner[batch];
+}
+
+}  // namespace detail
+
+/// Force rows of `count` contacts in the batches from `first` on, written from `rows` on; all lanes are computed.
+template <class Case, int W, class Side, class Batches>
+void dense_contacts(const Side& side, Batches& batches, int first, int count, Real<Case>* rows, Watch<Case>& totals) {
+  constexpr int width = Particles<Case>::motion_width, lanes = Capacity<Case>::batch;
+  const int last = first + batches_for<Case>(count);
+  ContactWatch<Case, W> watch(totals);
+  ContactGeometry<Case> geometry[batches_per_group];
+  for (int group = first; group < last; group += batches_per_group) {
+    const int size = last - group < batches_per_group ? last - group : batches_per_group;
+    for (int b = 0; b < size; ++b) {
+      const auto *owner = batches.owner[group + b], *partner = detail::partners_of(batches, group + b);
+      const Real<Case>* limit = Side::limits.of(count - lanes * (group + b - first));
+      for (int lane = 0; lane < lanes; lane += W)
+        detail::store_geometry<Case, W>(side, side.template separation<W>(owner + lane, partner + lane), limit, lane,
+                                        geometry[b], watch);
+    }
+    for (int b = 0; b < size; ++b, rows += lanes * width) {
+      const auto *owner = batches.owner[group + b], *partner = detail::partners_of(batches, group + b);
+      auto* history = detail::history_of<Case, Side::Law::history_size>(batches, group + b);
+      for (int lane = 0; lane < lanes; lane += W)
+        detail::contact_rows<Case, W, typename Side::Law>(
+            geometry[b], lane, side.template motion<W>(owner + lane, partner + lane),
+            side.template kick<W>(owner + lane, partner + lane), history, rows, watch);
+    }
+  }
+  watch.put_back(totals);
+}
+
+/// Contacts that touch, gathered from the batches of a sparse range.
+template <class Case>
+struct Gathered {
+  static constexpr int size = (batches_per_group + 1) * Capacity<Case>::batch;
+  using Offset = typename Rows<Case>::Offset;
+  alignas(64) Offset owner[size], partner[size];
+  int number[size];  ///< in the range
+  int count = 0;
+};
+
+/// Second half of sparse_contacts: law and rows of the gathered contacts, histories taken from and put back to their
+/// places.
+template <class Case, int W, class Side, class Batches>
+void gathered_contacts(const Side& side, Batches& batches, int first, Gathered<Case>& list, int count, Real<Case>* rows,
+                       ContactWatch<Case, W>& watch) {
+  constexpr int width = Particles<Case>::motion_width, lanes = Capacity<Case>::batch;
+  constexpr int size = Side::Law::history_size;
+  for (int k = count; k % W != 0; ++k) list.owner[k] = list.owner[k - 1], list.partner[k] = list.partner[k - 1];
+  ContactGeometry<Case> geometry[batches_per_group];
+  for (int k = 0; k < count; k += W) {
+    const Real<Case>* limit = Side::limits.of(count - k / lanes * lanes);
+    detail::store_geometry<Case, W>(side, side.template separation<W>(list.owner + k, list.partner + k), limit,
+                                    k % lanes, geometry[k / lanes], watch);
+  }
+  alignas(64) Real<Case> kept[4][lanes], row[lanes * width];
+  for (int k = 0; k < count; k += W) {
+    const int lane = k % lanes, end = count - k < W ? count - k : W;
+    for (int j = 0; j < W; ++j)
+      for (int c = 0; c < size; ++c) {
+        const int number = list.number[j < end ? k + j : k];
+        kept[c][lane + j] = detail::history_of<Case, size>(batches, first + number / lanes)[c][number % lanes];
+      }
+    detail::contact_rows<Case, W, typename Side::Law>(
+        geometry[k / lanes], lane, side.template motion<W>(list.owner + k, list.partner + k),
+        side.template kick<W>(list.owner + k, list.partner + k), kept, row, watch);
+    for (int j = 0; j < end; ++j) {
+      const int number = list.number[k + j];
+      for (int c = 0; c < size; ++c)
+        detail::history_of<Case, size>(batches, first + number / lanes)[c][number % lanes] = kept[c][lane + j];
+      __builtin_memcpy(rows + number * width, row + (lane + j) * width, width * sizeof(Real<Case>));
+    }
+  }
+}
+
+/// The same rows as dense_contacts; only the contacts that touch are computed.
+template <class Case, int W, class Side, class Batches>
+void sparse_contacts(const Side& side, Batches& batches, int first, int count, Real<Case>* rows, Watch<Case>& totals) {
+  using V = Lanes<W, Real<Case>>;
+  constexpr int width = Particles<Case>::motion_width, lanes = Capacity<Case>::batch;
+  constexpr int group = batches_per_group * lanes;
+  const int last = first + batches_for<Case>(count);
+  ContactWatch<Case, W> watch(totals);
+  Gathered<Case> list;
+  for (int b = first; b < last; ++b) {
+    const auto *owner = batches.owner[b], *partner = detail::partners_of(batches, b);
+    unsigned touching = 0;
+    for (int lane = 0; lane < lanes; lane += W)
+      touching |= bits(side.touches(side.template separation<W>(owner + lane, partner + lane))) << lane;
+    if (const int valid = count - lanes * (b - first); valid < lanes) touching &= (1u << valid) - 1;
+    Real<Case>* row = rows + (b - first) * lanes * width;
+    for (int k = 0; k < lanes * width; k += W) store(row + k, V{});
+    if constexpr (Side::Law::history_size > 0)  // a contact that has opened forgets
+      for (unsigned opened = batches.touching[b] & ~touching; opened != 0; opened &= opened - 1)
+        for (auto& component : batches.history.value[b]) component[__builtin_ctz(opened)] = 0;
+    batches.touching[b] = static_cast<std::uint16_t>(touching);
+    for (; touching != 0; touching &= touching - 1) {
+      const int lane = __builtin_ctz(touching);
+      list.owner[list.count] = owner[lane];
+      list.partner[list.count] = partner[lane];
+      list.number[list.count++] = lanes * (b - first) + lane;
+    }
+    if (list.count < group) continue;
+    gathered_contacts<Case, W>(side, batches, first, list, group, rows, watch);
+    list.count -= group;
+    for (int k = 0; k < list.count; ++k)
+      list.owner[k] = list.owner[group + k], list.partner[k] = list.partner[group + k],
+      list.number[k] = list.number[group + k];
+  }
+  gathered_contacts<Case, W>(side, batches, first, list, list.count, rows, watch);
+  watch.put_back(totals);
+}
+
+}  // namespace fixdem
