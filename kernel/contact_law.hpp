@@ -154,22 +154,31 @@ FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const
 /// A divisor that is not zero where the kept vector vanishes.
 template <class V>
 inline constexpr double least_square = sizeof(Element<V>) == sizeof(double) ? 0x1p-1000 : 0x1p-120;
-/// Square of the sine of the angle by which a contact may turn in one step before lengths are restored by roots.
+/// Square of the sine of the angle by which a contact may turn in one step before lengths are restored by a root.
 inline constexpr double greatest_turn = 1e-4;
+
+/// How a contact_force call deals with lanes that slide or turn: computes them, or leaves the whole call to be
+/// repeated.
+enum class SlidingLanes { computed, left };
 
 /// Scaled force on the owner. `surface_velocity` u = v_r + (r w_i + r w_j) x n; `normal_velocity` v_r.n;
 /// `damped_velocity`: the normal velocity that the damping sees (the same with `euler`, predicted half a step ahead
 /// with `leapfrog`).
 ///
 /// Where a contact sticks, the whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since u = (u.n) n + v_s
-/// and both dampings share eta. Most batches stick in all lanes; the others compute eqs. (7)-(12) in full for the lanes
-/// concerned. Projection shortens the kept vector h by the factor sqrt(1 - q), q = (h.n)^2 / h^2; where that is more
-/// than half a unit in the last place, its inverse is made up for by a series, good to 3e-17 up to `greatest_turn`.
-template <class Law, class Case, class V, class Mask>
+/// and both dampings share eta. Lanes that slide compute eqs. (7)-(12) in full. Projection shortens the kept vector h
+/// by the factor sqrt(1 - q), q = (h.n)^2 / h^2; where that is more than half a unit in the last place, its inverse is
+/// made up for by a series, good to 3e-17 up to `greatest_turn`, and beyond by a root.
+///
+/// With `left`, a batch of which any lane slides or turns sets `is_done` to false, and nothing else of the result
+/// counts: without that code and what it needs, the short way keeps its numbers in registers.
+template <class Law, class Case, SlidingLanes mode, class V, class Mask>
 FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& n, const Vec3<V>& surface_velocity,
-                                            V normal_velocity, V damped_velocity, Mask touching, History<V>& history) {
+                                            V normal_velocity, V damped_velocity, Mask touching, History<V>& history,
+                                            bool& is_done) {
   const Vec3<V>& u = surface_velocity;
   const V normal_force = fused(k.damping, damped_velocity, k.repulsion);  // repulsive positive
+  is_done = true;
   if constexpr (!Derived<Case>::has_friction) {
     return {scale(-normal_force, n), k.damping * damped_velocity * normal_velocity, V{}};
   } else {
@@ -182,43 +191,50 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& 
     const V out_of_plane = dot(history.spring, n);
     Vec3<V> spring;
     if constexpr (Case::tangential == TangentialLaw::displacement) {
-      spring = add_scaled(add_scaled(history.spring, s.gain, u), -fused(s.gain, normal_velocity, out_of_plane), n);
+      spring = add_scaled(history.spring, s.gain, u);
+      spring = subtract_scaled(spring, fused(s.gain, normal_velocity, out_of_plane), n);
     } else {
-      const Vec3<V> kept = scale(s.ratio, add_scaled(history.spring, -out_of_plane, n));
-      spring = add_scaled(add_scaled(kept, s.gain, u), -(s.gain * normal_velocity), n);
+      spring = scale(s.ratio, subtract_scaled(history.spring, out_of_plane, n));
+      spring = subtract_scaled(add_scaled(spring, s.gain, u), s.gain * normal_velocity, n);
     }
     const V turn = out_of_plane * out_of_plane;
-    auto in_full = touching & !touching;
-    const auto turns = turn > constant<V>(turning_square<V>) * dot(spring, spring);
-    if (any(turns)) {
-      const V square = dot(history.spring, history.spring);
-      const V q = turn / max(square, splat<V>(least_square<V>));
-      const V longer = keep(turns, q * fused(q, fused(q, splat<V>(0.3125), splat<V>(0.375)), splat<V>(0.5)));
-      spring = add_scaled(spring, s.ratio * longer, add_scaled(history.spring, -out_of_plane, n));
-      in_full = turn > constant<V>(greatest_turn) * square;
+    const auto turns = (turn > constant<V>(turning_square<V>) * dot(spring, spring)) & touching;
+    if constexpr (mode == SlidingLanes::computed) {
+      if (any(turns)) {
+        const V square = dot(history.spring, history.spring);
+        const V q = turn / max(square, splat<V>(least_square<V>));
+        V longer = q * fused(q, fused(q, splat<V>(0.3125), splat<V>(0.375)), splat<V>(0.5));
+        if (const auto by_far = q > constant<V>(greatest_turn); any(by_far & turns))
+          longer =
+              select(by_far, constant<V>(1) / sqrt(max(constant<V>(1) - q, splat<V>(1e-6))) - constant<V>(1), longer);
+        spring = add_scaled(spring, s.ratio * keep(turns, longer), subtract_scaled(history.spring, out_of_plane, n));
+      }
     }
-    Vec3<V> force = add_scaled(add_scaled(scale(-along_normal, n), -s.damping, u), -s.to_force, spring);
+    Vec3<V> force = subtract_scaled(subtract_scaled(scale(-along_normal, n), s.damping, u), s.to_force, spring);
     V damping_power{}, sliding_work{};
     if constexpr (Case::energy_ledger)
       damping_power = fused(
           s.damping, dot(u, u),
           fused_minus(s.damping, normal_velocity * normal_velocity, k.damping * damped_velocity * normal_velocity));
 
-    // Sliding, or turning by far.
+    // Sliding.
     constexpr double mu_square = Case::friction * Case::friction;
     const V normal_square = normal_force * normal_force;
-    in_full = in_full | (dot(force, force) > constant<V>(1 + mu_square) * normal_square) |
-              (s.to_force * s.to_force * dot(spring, spring) > constant<V>(mu_square) * normal_square);
-    if (any(in_full & touching)) {
-      const Vec3<V> slip = add_scaled(u, -normal_velocity, n);
+    const auto slides = ((dot(force, force) > constant<V>(1 + mu_square) * normal_square) |
+                         (s.to_force * s.to_force * dot(spring, spring) > constant<V>(mu_square) * normal_square)) &
+                        touching;
+    if constexpr (mode == SlidingLanes::left) {
+      is_done = !any(slides | turns);
+    } else if (any(slides)) {
+      const Vec3<V> slip = subtract_scaled(u, normal_velocity, n);
       const Tangential<V> t =
           tangential_force<Case>(s, history.spring, n, slip, constant<V>(Case::friction) * abs(normal_force));
-      force = select(in_full, add_scaled(t.force, -normal_force, n), force);
-      spring = select(in_full, t.spring, spring);
+      force = select(slides, subtract_scaled(t.force, normal_force, n), force);
+      spring = select(slides, t.spring, spring);
       if constexpr (Case::energy_ledger) {
         damping_power =
-            select(in_full, fused(k.damping * damped_velocity, normal_velocity, t.damping_power), damping_power);
-        sliding_work = keep(touching, select(in_full, t.sliding_work, V{}));
+            select(slides, fused(k.damping * damped_velocity, normal_velocity, t.damping_power), damping_power);
+        sliding_work = keep(slides, t.sliding_work);
       }
     }
     history.spring = {keep(touching, spring.x), keep(touching, spring.y), keep(touching, spring.z)};

@@ -59,27 +59,26 @@ struct LanesUpTo {
   const Real<Case>* of(int valid) const { return value + (valid < batch ? batch - valid : 0); }
 };
 
-/// Partial values of the watch that the contact loops keep in registers.
-template <class Case, int W>
-struct ContactWatch {
-  Partials<W, Capacity<Case>::batch, Real<Case>> overlap;
-  FIXDEM_INLINE explicit ContactWatch(const Watch<Case>& watch) : overlap(watch.overlap) {}
-  FIXDEM_INLINE void put_back(Watch<Case>& watch) const { overlap.put_back(watch.overlap); }
-};
-template <class Case, int W>
-requires(Case::energy_ledger) struct ContactWatch<Case, W> {
-  static constexpr int doubles = is_mixed<Case> && W > 1 ? W / 2 : W;  // energies are summed in double always
-  Partials<W, Capacity<Case>::batch, Real<Case>> overlap;
-  Partials<doubles, Capacity<Case>::batch> damping_power, sliding_work;
-  FIXDEM_INLINE explicit ContactWatch(const Watch<Case>& watch)
-      : overlap(watch.overlap), damping_power(watch.ledger.damping_power), sliding_work(watch.ledger.sliding_work) {}
+/// Energies booked by a contact loop; nothing in a case without ledger. Summed in double always.
+template <class Case, int W, bool present = Case::energy_ledger>
+struct BookedEnergy {
+  static constexpr int lanes = Capacity<Case>::batch, doubles = is_mixed<Case> && W > 1 ? W / 2 : W;
+  Partials<doubles, lanes> damping_power, sliding_work;
+  FIXDEM_INLINE explicit BookedEnergy(const Watch<Case>& watch)
+      : damping_power(watch.ledger.damping_power), sliding_work(watch.ledger.sliding_work) {}
   FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
-    overlap.put_back(watch.overlap);
     damping_power.put_back(watch.ledger.damping_power);
     sliding_work.put_back(watch.ledger.sliding_work);
   }
   template <class V>
-  static FIXDEM_INLINE void add(Partials<doubles, Capacity<Case>::batch>& sums, int lane, V value) {
+  FIXDEM_INLINE void book(int lane, const ContactForce<V>& f) {
+    add(damping_power, lane, f.damping_power);
+    add(sliding_work, lane, f.sliding_work);
+  }
+
+ private:
+  template <class V>
+  static FIXDEM_INLINE void add(Partials<doubles, lanes>& sums, int lane, V value) {
     if constexpr (is_mixed<Case>) {
       alignas(64) float values[W];
       store(values, value);
@@ -90,6 +89,13 @@ requires(Case::energy_ledger) struct ContactWatch<Case, W> {
     }
   }
 };
+template <class Case, int W>
+struct BookedEnergy<Case, W, false> {
+  FIXDEM_INLINE explicit BookedEnergy(const Watch<Case>&) {}
+  FIXDEM_INLINE void put_back(Watch<Case>&) const {}
+  template <class V>
+  FIXDEM_INLINE void book(int, const ContactForce<V>&) {}
+};
 
 namespace detail {
 
@@ -97,7 +103,7 @@ namespace detail {
 template <class Case, int W, class Side>
 FIXDEM_INLINE void store_geometry(const Side& side, const Separation<Lanes<W, Real<Case>>>& separation,
                                   const Real<Case>* limit, int lane, ContactGeometry<Case>& g,
-                                  ContactWatch<Case, W>& watch) {
+                                  Partials<W, Capacity<Case>::batch, Real<Case>>& greatest) {
   using V = Lanes<W, Real<Case>>;
   Vec3<V> n;
   const V overlap = side.resolve(separation, load_any<V>(limit + lane), n);
@@ -108,17 +114,19 @@ FIXDEM_INLINE void store_geometry(const Side& side, const Separation<Lanes<W, Re
   store(g.repulsion + lane, k.repulsion);
   store(g.damping + lane, k.damping);
   store(g.tangential_stiffness + lane, k.tangential_stiffness);
-  watch.overlap.part[lane / W] = max(overlap, watch.overlap.part[lane / W]);
+  greatest.part[lane / W] = max(overlap, greatest.part[lane / W]);
 }
 
-/// Second stage of W contacts: the law, the history and the force rows. `motion`: velocity of the owner relative to its
-/// partner and sum of the spins; `kick`: the same difference of the last velocity change (leapfrog).
-template <class Case, int W, class Law>
-FIXDEM_INLINE void contact_rows(const ContactGeometry<Case>& g, int lane, const Motion<Lanes<W, Real<Case>>>& motion,
-                                const Vec3<Lanes<W, Real<Case>>>& kick, Real<Case> (*kept)[Capacity<Case>::batch],
-                                Real<Case>* row, ContactWatch<Case, W>& watch) {
+/// Second stage of W contacts: the law, the history and the force rows. False when some lane slides or turns and that
+/// is left to be done; then nothing has been written.
+template <class Case, int W, SlidingLanes mode, class Side, class Offset>
+FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case>& g, int lane, const Offset* owner,
+                                const Offset* partner, Real<Case> (*kept)[Capacity<Case>::batch], Real<Case>* row,
+                                BookedEnergy<Case, W>& energy) {
   using V = Lanes<W, Real<Case>>;
+  using Law = typename Side::Law;
   constexpr bool has_friction = Derived<Case>::has_friction;
+  const Motion<V> motion = side.template motion<W>(owner, partner);
   const Vec3<V> n = {load<V>(g.normal[0] + lane), load<V>(g.normal[1] + lane), load<V>(g.normal[2] + lane)};
   const Springs<V> k = {load<V>(g.repulsion + lane), load<V>(g.damping + lane), load<V>(g.tangential_stiffness + lane)};
   const auto touching = k.tangential_stiffness > V{};
@@ -126,7 +134,7 @@ FIXDEM_INLINE void contact_rows(const ContactGeometry<Case>& g, int lane, const 
   const V normal_velocity = dot(motion.velocity, n);
   V damped_velocity = normal_velocity;
   if constexpr (Case::integrator == Integrator::leapfrog)
-    damped_velocity = fused(splat<V>(0.5), dot(kick, n), damped_velocity);
+    damped_velocity = fused(splat<V>(0.5), dot(side.template kick<W>(owner, partner), n), damped_velocity);
 
   History<V> history{};
   Vec3<V> surface_velocity = motion.velocity;
@@ -136,8 +144,10 @@ FIXDEM_INLINE void contact_rows(const ContactGeometry<Case>& g, int lane, const 
     if constexpr (Law::history_size == 4) history.last_tangential_stiffness = load<V>(kept[3] + lane);
   }
 
-  const ContactForce<V> f =
-      contact_force<Law, Case>(k, n, surface_velocity, normal_velocity, damped_velocity, touching, history);
+  bool is_done;
+  const ContactForce<V> f = contact_force<Law, Case, mode>(k, n, surface_velocity, normal_velocity, damped_velocity,
+                                                           touching, history, is_done);
+  if (!is_done) return false;
 
   using RowStore = RowLanes<W, Real<Case>>;
   if constexpr (has_friction) {
@@ -149,10 +159,17 @@ FIXDEM_INLINE void contact_rows(const ContactGeometry<Case>& g, int lane, const 
   } else {
     RowStore::store_rows(row + 4 * lane, f.force);
   }
-  if constexpr (Case::energy_ledger) {
-    watch.add(watch.damping_power, lane, f.damping_power);
-    watch.add(watch.sliding_work, lane, f.sliding_work);
-  }
+  energy.book(lane, f);
+  return true;
+}
+
+/// The same with all lanes computed, out of the way of the short loop.
+template <class Case, int W, class Side, class Offset>
+[[gnu::noinline]] void sliding_contact_rows(const Side& side, const ContactGeometry<Case>& g, int lane,
+                                            const Offset* owner, const Offset* partner,
+                                            Real<Case> (*kept)[Capacity<Case>::batch], Real<Case>* row,
+                                            BookedEnergy<Case, W>& energy) {
+  contact_rows<Case, W, SlidingLanes::computed>(side, g, lane, owner, partner, kept, row, energy);
 }
 
 /// History block of a batch, or nothing where the case keeps none.
@@ -178,10 +195,11 @@ FIXDEM_INLINE const auto* partners_of(const Batches& batches, int batch) {
 
 /// Force rows of `count` contacts in the batches from `first` on, written from `rows` on; all lanes are computed.
 template <class Case, int W, class Side, class Batches>
-void dense_contacts(const Side& side, Batches& batches, int first, int count, Real<Case>* rows, Watch<Case>& totals) {
+void dense_contacts(const Side& side, Batches& batches, int first, int count, Real<Case>* rows, Watch<Case>& watch) {
   constexpr int width = Particles<Case>::motion_width, lanes = Capacity<Case>::batch;
   const int last = first + batches_for<Case>(count);
-  ContactWatch<Case, W> watch(totals);
+  Partials<W, lanes, Real<Case>> overlap(watch.overlap);
+  BookedEnergy<Case, W> energy(watch);
   ContactGeometry<Case> geometry[batches_per_group];
   for (int group = first; group < last; group += batches_per_group) {
     const int size = last - group < batches_per_group ? last - group : batches_per_group;
@@ -190,18 +208,20 @@ void dense_contacts(const Side& side, Batches& batches, int first, int count, Re
       const Real<Case>* limit = Side::limits.of(count - lanes * (group + b - first));
       for (int lane = 0; lane < lanes; lane += W)
         detail::store_geometry<Case, W>(side, side.template separation<W>(owner + lane, partner + lane), limit, lane,
-                                        geometry[b], watch);
+                                        geometry[b], overlap);
     }
     for (int b = 0; b < size; ++b, rows += lanes * width) {
       const auto *owner = batches.owner[group + b], *partner = detail::partners_of(batches, group + b);
       auto* history = detail::history_of<Case, Side::Law::history_size>(batches, group + b);
       for (int lane = 0; lane < lanes; lane += W)
-        detail::contact_rows<Case, W, typename Side::Law>(
-            geometry[b], lane, side.template motion<W>(owner + lane, partner + lane),
-            side.template kick<W>(owner + lane, partner + lane), history, rows, watch);
+        if (!detail::contact_rows<Case, W, SlidingLanes::left>(side, geometry[b], lane, owner + lane, partner + lane,
+                                                               history, rows, energy))
+          detail::sliding_contact_rows<Case, W>(side, geometry[b], lane, owner + lane, partner + lane, history, rows,
+                                                energy);
     }
   }
-  watch.put_back(totals);
+  overlap.put_back(watch.overlap);
+  energy.put_back(watch);
 }
 
 /// Contacts that touch, gathered from the batches of a sparse range.
@@ -218,7 +238,7 @@ struct Gathered {
 /// places.
 template <class Case, int W, class Side, class Batches>
 void gathered_contacts(const Side& side, Batches& batches, int first, Gathered<Case>& list, int count, Real<Case>* rows,
-                       ContactWatch<Case, W>& watch) {
+                       Partials<W, Capacity<Case>::batch, Real<Case>>& overlap, BookedEnergy<Case, W>& energy) {
   constexpr int width = Particles<Case>::motion_width, lanes = Capacity<Case>::batch;
   constexpr int size = Side::Law::history_size;
   for (int k = count; k % W != 0; ++k) list.owner[k] = list.owner[k - 1], list.partner[k] = list.partner[k - 1];
@@ -226,7 +246,7 @@ void gathered_contacts(const Side& side, Batches& batches, int first, Gathered<C
   for (int k = 0; k < count; k += W) {
     const Real<Case>* limit = Side::limits.of(count - k / lanes * lanes);
     detail::store_geometry<Case, W>(side, side.template separation<W>(list.owner + k, list.partner + k), limit,
-                                    k % lanes, geometry[k / lanes], watch);
+                                    k % lanes, geometry[k / lanes], overlap);
   }
   alignas(64) Real<Case> kept[4][lanes], row[lanes * width];
   for (int k = 0; k < count; k += W) {
@@ -236,9 +256,8 @@ void gathered_contacts(const Side& side, Batches& batches, int first, Gathered<C
         const int number = list.number[j < end ? k + j : k];
         kept[c][lane + j] = detail::history_of<Case, size>(batches, first + number / lanes)[c][number % lanes];
       }
-    detail::contact_rows<Case, W, typename Side::Law>(
-        geometry[k / lanes], lane, side.template motion<W>(list.owner + k, list.partner + k),
-        side.template kick<W>(list.owner + k, list.partner + k), kept, row, watch);
+    detail::contact_rows<Case, W, SlidingLanes::computed>(side, geometry[k / lanes], lane, list.owner + k,
+                                                          list.partner + k, kept, row, energy);
     for (int j = 0; j < end; ++j) {
       const int number = list.number[k + j];
       for (int c = 0; c < size; ++c)
@@ -250,12 +269,13 @@ void gathered_contacts(const Side& side, Batches& batches, int first, Gathered<C
 
 /// The same rows as dense_contacts; only the contacts that touch are computed.
 template <class Case, int W, class Side, class Batches>
-void sparse_contacts(const Side& side, Batches& batches, int first, int count, Real<Case>* rows, Watch<Case>& totals) {
+void sparse_contacts(const Side& side, Batches& batches, int first, int count, Real<Case>* rows, Watch<Case>& watch) {
   using V = Lanes<W, Real<Case>>;
   constexpr int width = Particles<Case>::motion_width, lanes = Capacity<Case>::batch;
   constexpr int group = batches_per_group * lanes;
   const int last = first + batches_for<Case>(count);
-  ContactWatch<Case, W> watch(totals);
+  Partials<W, lanes, Real<Case>> overlap(watch.overlap);
+  BookedEnergy<Case, W> energy(watch);
   Gathered<Case> list;
   for (int b = first; b < last; ++b) {
     const auto *owner = batches.owner[b], *partner = detail::partners_of(batches, b);
@@ -276,14 +296,15 @@ void sparse_contacts(const Side& side, Batches& batches, int first, int count, R
       list.number[list.count++] = lanes * (b - first) + lane;
     }
     if (list.count < group) continue;
-    gathered_contacts<Case, W>(side, batches, first, list, group, rows, watch);
+    gathered_contacts<Case, W>(side, batches, first, list, group, rows, overlap, energy);
     list.count -= group;
     for (int k = 0; k < list.count; ++k)
       list.owner[k] = list.owner[group + k], list.partner[k] = list.partner[group + k],
       list.number[k] = list.number[group + k];
   }
-  gathered_contacts<Case, W>(side, batches, first, list, list.count, rows, watch);
-  watch.put_back(totals);
+  gathered_contacts<Case, W>(side, batches, first, list, list.count, rows, overlap, energy);
+  overlap.put_back(watch.overlap);
+  energy.put_back(watch);
 }
 
 }  // namespace fixdem

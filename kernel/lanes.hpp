@@ -93,7 +93,7 @@ FIXDEM_INLINE void store_narrow(float* p, Lanes<W> a) {
     store(p, __builtin_convertvector(a, Lanes<W, float>));
 }
 
-/// -(a b) + c
+/// -(a b) + c, where a register has no instruction of its own for it.
 template <class V>
 FIXDEM_INLINE V fused_minus(V a, V b, V c) {
   return fused(-a, b, c);
@@ -114,6 +114,12 @@ FIXDEM_INLINE V dot(const Vec3<V>& a, const Vec3<V>& b) {
 template <class V>
 FIXDEM_INLINE Vec3<V> add_scaled(const Vec3<V>& a, V s, const Vec3<V>& b) {
   return {fused(s, b.x, a.x), fused(s, b.y, a.y), fused(s, b.z, a.z)};
+}
+
+/// a - s b
+template <class V>
+FIXDEM_INLINE Vec3<V> subtract_scaled(const Vec3<V>& a, V s, const Vec3<V>& b) {
+  return {fused_minus(s, b.x, a.x), fused_minus(s, b.y, a.y), fused_minus(s, b.z, a.z)};
 }
 
 template <class V>

@@ -17,12 +17,18 @@ using FloatMask4 = decltype(Floats4{} < Floats4{});
 FIXDEM_INLINE Lanes2 fused(Lanes2 a, Lanes2 b, Lanes2 c) {
   return Lanes2(vfmaq_f64(float64x2_t(c), float64x2_t(a), float64x2_t(b)));
 }
+FIXDEM_INLINE Lanes2 fused_minus(Lanes2 a, Lanes2 b, Lanes2 c) {
+  return Lanes2(vfmsq_f64(float64x2_t(c), float64x2_t(a), float64x2_t(b)));
+}
 FIXDEM_INLINE Lanes2 sqrt(Lanes2 a) { return Lanes2(vsqrtq_f64(float64x2_t(a))); }
 FIXDEM_INLINE Lanes2 abs(Lanes2 a) { return Lanes2(vabsq_f64(float64x2_t(a))); }
 FIXDEM_INLINE unsigned bits(Mask2 mask) { return static_cast<unsigned>((mask[0] & 1) | (mask[1] & 2)); }
 FIXDEM_INLINE bool any(Mask2 mask) { return vmaxvq_u32(uint32x4_t(mask)) != 0; }
 FIXDEM_INLINE Floats4 fused(Floats4 a, Floats4 b, Floats4 c) {
   return Floats4(vfmaq_f32(float32x4_t(c), float32x4_t(a), float32x4_t(b)));
+}
+FIXDEM_INLINE Floats4 fused_minus(Floats4 a, Floats4 b, Floats4 c) {
+  return Floats4(vfmsq_f32(float32x4_t(c), float32x4_t(a), float32x4_t(b)));
 }
 FIXDEM_INLINE Floats4 sqrt(Floats4 a) { return Floats4(vsqrtq_f32(float32x4_t(a))); }
 FIXDEM_INLINE Floats4 abs(Floats4 a) { return Floats4(vabsq_f32(float32x4_t(a))); }

@@ -18,7 +18,9 @@ using Floats4 = Lanes<4, float>;
 using FloatMask4 = decltype(Floats4{} < Floats4{});
 #if defined(__FMA__)
 FIXDEM_INLINE Lanes2 fused(Lanes2 a, Lanes2 b, Lanes2 c) { return Lanes2(_mm_fmadd_pd(a, b, c)); }
+FIXDEM_INLINE Lanes2 fused_minus(Lanes2 a, Lanes2 b, Lanes2 c) { return Lanes2(_mm_fnmadd_pd(a, b, c)); }
 FIXDEM_INLINE Floats4 fused(Floats4 a, Floats4 b, Floats4 c) { return Floats4(_mm_fmadd_ps(a, b, c)); }
+FIXDEM_INLINE Floats4 fused_minus(Floats4 a, Floats4 b, Floats4 c) { return Floats4(_mm_fnmadd_ps(a, b, c)); }
 #else
 FIXDEM_INLINE Lanes2 fused(Lanes2 a, Lanes2 b, Lanes2 c) {
   return Lanes2{__builtin_fma(a[0], b[0], c[0]), __builtin_fma(a[1], b[1], c[1])};
@@ -47,11 +49,13 @@ using Mask4 = decltype(Lanes4{} < Lanes4{});
 using Floats8 = Lanes<8, float>;
 using FloatMask8 = decltype(Floats8{} < Floats8{});
 FIXDEM_INLINE Lanes4 fused(Lanes4 a, Lanes4 b, Lanes4 c) { return Lanes4(_mm256_fmadd_pd(a, b, c)); }
+FIXDEM_INLINE Lanes4 fused_minus(Lanes4 a, Lanes4 b, Lanes4 c) { return Lanes4(_mm256_fnmadd_pd(a, b, c)); }
 FIXDEM_INLINE Lanes4 sqrt(Lanes4 a) { return Lanes4(_mm256_sqrt_pd(a)); }
 FIXDEM_INLINE Lanes4 abs(Lanes4 a) { return Lanes4(_mm256_andnot_pd(_mm256_set1_pd(-0.0), a)); }
 FIXDEM_INLINE unsigned bits(Mask4 mask) { return static_cast<unsigned>(_mm256_movemask_pd(__m256d(mask))); }
 FIXDEM_INLINE bool any(Mask4 mask) { return bits(mask) != 0; }
 FIXDEM_INLINE Floats8 fused(Floats8 a, Floats8 b, Floats8 c) { return Floats8(_mm256_fmadd_ps(a, b, c)); }
+FIXDEM_INLINE Floats8 fused_minus(Floats8 a, Floats8 b, Floats8 c) { return Floats8(_mm256_fnmadd_ps(a, b, c)); }
 FIXDEM_INLINE Floats8 sqrt(Floats8 a) { return Floats8(_mm256_sqrt_ps(a)); }
 FIXDEM_INLINE Floats8 abs(Floats8 a) { return Floats8(_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)); }
 FIXDEM_INLINE unsigned bits(FloatMask8 mask) { return static_cast<unsigned>(_mm256_movemask_ps(__m256(mask))); }
@@ -69,11 +73,13 @@ using Floats16 = Lanes<16, float>;
 using FloatMask16 = decltype(Floats16{} < Floats16{});
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 FIXDEM_INLINE Lanes8 fused(Lanes8 a, Lanes8 b, Lanes8 c) { return Lanes8(_mm512_fmadd_pd(a, b, c)); }
+FIXDEM_INLINE Lanes8 fused_minus(Lanes8 a, Lanes8 b, Lanes8 c) { return Lanes8(_mm512_fnmadd_pd(a, b, c)); }
 FIXDEM_INLINE Lanes8 sqrt(Lanes8 a) { return Lanes8(_mm512_maskz_sqrt_pd(0xff, a)); }
 FIXDEM_INLINE Lanes8 abs(Lanes8 a) { return Lanes8(_mm512_andnot_pd(_mm512_set1_pd(-0.0), a)); }
 FIXDEM_INLINE unsigned bits(Mask8 mask) { return _mm512_movepi64_mask(__m512i(mask)); }
 FIXDEM_INLINE bool any(Mask8 mask) { return bits(mask) != 0; }
 FIXDEM_INLINE Floats16 fused(Floats16 a, Floats16 b, Floats16 c) { return Floats16(_mm512_fmadd_ps(a, b, c)); }
+FIXDEM_INLINE Floats16 fused_minus(Floats16 a, Floats16 b, Floats16 c) { return Floats16(_mm512_fnmadd_ps(a, b, c)); }
 FIXDEM_INLINE Floats16 sqrt(Floats16 a) { return Floats16(_mm512_maskz_sqrt_ps(0xffff, a)); }
 FIXDEM_INLINE Floats16 abs(Floats16 a) { return Floats16(_mm512_andnot_ps(_mm512_set1_ps(-0.0f), a)); }
 FIXDEM_INLINE unsigned bits(FloatMask16 mask) { return _mm512_movepi32_mask(__m512i(mask)); }

@@ -20,6 +20,9 @@ struct RowSum {
   static constexpr int parts = Width / step;
   using V = Lanes<step, T>;
   V part[parts];
+  FIXDEM_INLINE void start(const T* row) {
+    for (int p = 0; p < parts; ++p) part[p] = load<V>(row + p * step);
+  }
   FIXDEM_INLINE void add(const T* row) {
     for (int p = 0; p < parts; ++p) part[p] = part[p] + load<V>(row + p * step);
   }
@@ -64,7 +67,11 @@ FIXDEM_INLINE void sum_rows(
   using Sum = RowSum<width, contact_lanes<Case, W>, Real<Case>>;
   alignas(64) static constexpr Real<Case> incoming_sign[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
   Sum own{}, incoming{};
-  for (int s = 0; s < k; ++s) {
+  if constexpr (k > 0) {
+    own.start(row_at<width>(rows, own_rows[0]));
+    incoming.start(row_at<width>(rows, own_rows[k]));
+  }
+  for (int s = 1; s < k; ++s) {
     own.add(row_at<width>(rows, own_rows[s]));
     incoming.add(row_at<width>(rows, own_rows[k + s]));
   }
@@ -96,18 +103,19 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
     sum_rows<Case, W, k>(entry + 1, rows, change);
     for (int p = 0; p < width / step; ++p) {
       const int column = p * step;
-      V gas{};
+      const bool translates = column < 4;  // a part of rotation alone feels neither gravity nor gas
+      V gas{}, kick = change[p];
       if constexpr (Case::has_gas && step == 8)
         gas = __builtin_shufflevector(load<Half>(particles.gas_kick.row[i]), Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
       else if constexpr (Case::has_gas)
-        if (column < 4) gas = load<V>(particles.gas_kick.row[i] + column);
-      const V kick = change[p] + load<V>(gravity + column) + gas;
+        if (translates) gas = load<V>(particles.gas_kick.row[i] + column);
+      if (translates) kick = kick + load<V>(gravity + column) + gas;
       double* motion = particles.motion[i] + column;
       const V moved = fused(load<V>(inertia + column), kick, load<V>(motion));
       store(motion, moved);
       if constexpr (is_mixed<Case>) store_narrow<step>(particles.motion_as_float.row[i] + column, moved);
       const V square = moved * moved;
-      watch.motion_square.part[p] = max(square, watch.motion_square.part[p]);
+      if (translates) watch.motion_square.part[p] = max(square, watch.motion_square.part[p]);
       watch.square_sum.part[p] = square + watch.square_sum.part[p];
       if constexpr (step == 8) {
         const Half velocity = __builtin_shufflevector(moved, moved, 0, 1, 2, 3);
@@ -115,7 +123,7 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
         store(position, fused(velocity, splat<Half>(Case::time_step), load<Half>(position)));
         if constexpr (Particles<Case>::predicts)
           store(particles.last_kick.row[i], __builtin_shufflevector(kick, kick, 0, 1, 2, 3));
-      } else if (column < 4) {
+      } else if (translates) {
         double* position = particles.position[i] + column;
         store(position, fused(moved, splat<V>(Case::time_step), load<V>(position)));
         if constexpr (Particles<Case>::predicts) store(particles.last_kick.row[i] + column, kick);

@@ -76,7 +76,7 @@ struct PairSide {
     if constexpr (Derived<Case>::has_friction)
       return load_motion_of_pairs<W>(owner_motion, owner, partner_motion, partner);
     else
-      return {load_differences<W>(owner_motion, owner, partner_motion, partner), {}};
+      return {load_differences<W>(owner_motion, owner, partner_motion, partner), Vec3<Lanes<W, R>>{}};
   }
 
   template <int W, class Offset>

@@ -103,7 +103,7 @@ struct WallSide {
     if constexpr (Derived<Case>::has_friction)
       return load_motion<W>(moving, owner);
     else
-      return {load_vectors<W>(moving, owner), {}};
+      return {load_vectors<W>(moving, owner), Vec3<Lanes<W, R>>{}};
   }
   template <int W, class Offset>
   FIXDEM_INLINE Vec3<Lanes<W, R>> kick(const Offset* owner, const Offset*) const {
