@@ -72,9 +72,9 @@ FIXDEM_INLINE Springs<V> springs(V overlap) {
 }
 
 /// The kept vector in the present tangent plane: projected, and brought back to its old length.
-template <class V>
-FIXDEM_INLINE Vec3<V> turn_to_tangent_plane(const Vec3<V>& kept, const Vec3<V>& n) {
-  const Vec3<V> projected = add_scaled(kept, -dot(kept, n), n);
+template <class V, class Normal>
+FIXDEM_INLINE Vec3<V> turn_to_tangent_plane(const Vec3<V>& kept, const Normal& n) {
+  const Vec3<V> projected = subtract_scaled(kept, dot(kept, n), n);
   const V old_square = dot(kept, kept), new_square = dot(projected, projected);
   return scale(select(new_square > V{}, sqrt(old_square / new_square), V{}), projected);
 }
@@ -123,8 +123,8 @@ struct Tangential {
   V damping_power, sliding_work;
 };
 
-template <class Case, class V>
-FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const Vec3<V>& kept, const Vec3<V>& n,
+template <class Case, class V, class Normal>
+FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const Vec3<V>& kept, const Normal& n,
                                              const Vec3<V>& slip, V limit) {
   Tangential<V> t{};
   const Vec3<V> trial = add_scaled(scale(s.ratio, turn_to_tangent_plane(kept, n)), s.gain, slip);
@@ -161,9 +161,9 @@ inline constexpr double greatest_turn = 1e-4;
 /// repeated.
 enum class SlidingLanes { computed, left };
 
-/// Scaled force on the owner. `surface_velocity` u = v_r + (r w_i + r w_j) x n; `normal_velocity` v_r.n;
-/// `damped_velocity`: the normal velocity that the damping sees (the same with `euler`, predicted half a step ahead
-/// with `leapfrog`).
+/// Scaled force on the owner. `n`: Vec3, or Vec2 where the normal has no component along the pipe. `surface_velocity` u
+/// = v_r + (r w_i + r w_j) x n; `normal_velocity` v_r.n; `damped_velocity`: the normal velocity that the damping sees
+/// (the same with `euler`, predicted half a step ahead with `leapfrog`).
 ///
 /// Where a contact sticks, the whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since u = (u.n) n + v_s
 /// and both dampings share eta. Lanes that slide compute eqs. (7)-(12) in full. Projection shortens the kept vector h
@@ -172,8 +172,8 @@ enum class SlidingLanes { computed, left };
 ///
 /// With `left`, a batch of which any lane slides or turns sets `is_done` to false, and nothing else of the result
 /// counts: without that code and what it needs, the short way keeps its numbers in registers.
-template <class Law, class Case, SlidingLanes mode, class V, class Mask>
-FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Vec3<V>& n, const Vec3<V>& surface_velocity,
+template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Mask>
+FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n, const Vec3<V>& surface_velocity,
                                             V normal_velocity, V damped_velocity, Mask touching, History<V>& history,
                                             bool& is_done) {
   const Vec3<V>& u = surface_velocity;

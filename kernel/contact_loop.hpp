@@ -110,7 +110,7 @@ FIXDEM_INLINE void store_geometry(const Side& side, const Separation<Lanes<W, Re
   const Springs<V> k = springs<typename Side::Law, Case>(overlap);
   store(g.normal[0] + lane, n.x);
   store(g.normal[1] + lane, n.y);
-  store(g.normal[2] + lane, n.z);
+  if constexpr (!Side::is_flat) store(g.normal[2] + lane, n.z);
   store(g.repulsion + lane, k.repulsion);
   store(g.damping + lane, k.damping);
   store(g.tangential_stiffness + lane, k.tangential_stiffness);
@@ -127,7 +127,9 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case>& g
   using Law = typename Side::Law;
   constexpr bool has_friction = Derived<Case>::has_friction;
   const Motion<V> motion = side.template motion<W>(owner, partner);
-  const Vec3<V> n = {load<V>(g.normal[0] + lane), load<V>(g.normal[1] + lane), load<V>(g.normal[2] + lane)};
+  std::conditional_t<Side::is_flat, Vec2<V>, Vec3<V>> n{};
+  n.x = load<V>(g.normal[0] + lane), n.y = load<V>(g.normal[1] + lane);
+  if constexpr (!Side::is_flat) n.z = load<V>(g.normal[2] + lane);
   const Springs<V> k = {load<V>(g.repulsion + lane), load<V>(g.damping + lane), load<V>(g.tangential_stiffness + lane)};
   const auto touching = k.tangential_stiffness > V{};
 

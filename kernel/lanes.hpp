@@ -110,6 +110,16 @@ FIXDEM_INLINE V dot(const Vec3<V>& a, const Vec3<V>& b) {
   return fused(a.z, b.z, fused(a.y, b.y, a.x * b.x));
 }
 
+/// Two components, the third known to be zero: the normal of the pipe's wall.
+template <class V>
+struct Vec2 {
+  V x, y;
+};
+template <class V>
+FIXDEM_INLINE V dot(const Vec3<V>& a, const Vec2<V>& b) {
+  return fused(a.y, b.y, a.x * b.x);
+}
+
 /// a + s b
 template <class V>
 FIXDEM_INLINE Vec3<V> add_scaled(const Vec3<V>& a, V s, const Vec3<V>& b) {
@@ -123,8 +133,17 @@ FIXDEM_INLINE Vec3<V> subtract_scaled(const Vec3<V>& a, V s, const Vec3<V>& b) {
 }
 
 template <class V>
+FIXDEM_INLINE Vec3<V> subtract_scaled(const Vec3<V>& a, V s, const Vec2<V>& b) {
+  return {fused_minus(s, b.x, a.x), fused_minus(s, b.y, a.y), a.z};
+}
+
+template <class V>
 FIXDEM_INLINE Vec3<V> scale(V s, const Vec3<V>& a) {
   return {s * a.x, s * a.y, s * a.z};
+}
+template <class V>
+FIXDEM_INLINE Vec3<V> scale(V s, const Vec2<V>& a) {
+  return {s * a.x, s * a.y, V{}};
 }
 
 template <class V>
@@ -132,11 +151,21 @@ FIXDEM_INLINE Vec3<V> cross(const Vec3<V>& a, const Vec3<V>& b) {
   return {fused(a.y, b.z, -(a.z * b.y)), fused(a.z, b.x, -(a.x * b.z)), fused(a.x, b.y, -(a.y * b.x))};
 }
 
+template <class V>
+FIXDEM_INLINE Vec3<V> cross(const Vec2<V>& a, const Vec3<V>& b) {
+  return {a.y * b.z, -(a.x * b.z), fused(a.x, b.y, -(a.y * b.x))};
+}
+
 /// a + b x c
 template <class V>
 FIXDEM_INLINE Vec3<V> add_cross(const Vec3<V>& a, const Vec3<V>& b, const Vec3<V>& c) {
   return {fused_minus(b.z, c.y, fused(b.y, c.z, a.x)), fused_minus(b.x, c.z, fused(b.z, c.x, a.y)),
           fused_minus(b.y, c.x, fused(b.x, c.y, a.z))};
+}
+
+template <class V>
+FIXDEM_INLINE Vec3<V> add_cross(const Vec3<V>& a, const Vec3<V>& b, const Vec2<V>& c) {
+  return {fused_minus(b.z, c.y, a.x), fused(b.z, c.x, a.y), fused_minus(b.y, c.x, fused(b.x, c.y, a.z))};
 }
 
 template <class Mask, class V>

@@ -14,6 +14,7 @@ struct PairSide {
   using Law = ContactLaw<Case, false>;
   using R = Real<Case>;
   static constexpr double d = Case::diameter;
+  static constexpr bool is_flat = false;  ///< normals have three components
   /// Inside: the reach of a contact (double), or no limit to the gap (mixed). Outside: nothing touches.
   static constexpr LanesUpTo<Case> limits = is_mixed<Case> ? LanesUpTo<Case>(1e30, -1) : LanesUpTo<Case>(d, -1e300);
 

@@ -41,7 +41,40 @@ int tile_depth(const State<Case>& s, long long steps) {
   return static_cast<int>(depth);
 }
 
+/// Chunks between the front and what is fetched for it.
+inline constexpr int prefetch_lead = 2;
+
 namespace detail {
+
+/// Asks for an array's bytes ahead of their use.
+template <class T>
+FIXDEM_INLINE void prefetch(const T* from, int count) {
+  const char* bytes = reinterpret_cast<const char*>(from);
+  for (int k = 0; k < count * static_cast<int>(sizeof(T)); k += 64) __builtin_prefetch(bytes + k, 1);
+}
+
+/// Fetches what the front will need of a chunk. Regions of chunks have gaps between them (capacities are larger than
+/// what is used), so the machine does not see by itself what comes next.
+template <class Case>
+void prefetch_chunk(const State<Case>& s, int chunk) {
+  if (chunk >= Capacity<Case>::chunks) return;
+  const int base = chunk * Capacity<Case>::chunk_size, particles = particles_in<Case>(chunk);
+  prefetch(s.particles.position[base], 4 * particles);
+  prefetch(s.particles.motion[base], Particles<Case>::motion_width * particles);
+  if constexpr (is_mixed<Case>)
+    prefetch(s.particles.motion_as_float.row[base], Particles<Case>::motion_width * particles);
+  const auto batches = [](const auto& kind, int range) {
+    const int first = kind.first(range), count = batches_for<Case>(kind.count[range]);
+    prefetch(kind.owner + first, count);
+    if constexpr (requires { kind.partner; }) prefetch(kind.partner + first, count);
+    if constexpr (Derived<Case>::has_friction) prefetch(kind.history.value + first, count);
+  };
+  batches(s.contacts.pairs, chunk);
+  if constexpr (Case::has_wall) batches(s.contacts.pipe, chunk);
+  int entries = 0;
+  for (int k = 0; k <= Contacts<Case>::max_slots; ++k) entries += s.contacts.bucket[chunk][k] * (2 * k + 1);
+  prefetch(s.contacts.slots[chunk], entries);
+}
 
 /// Copies the rows that a chunk has written, between a ring and the rows kept for the second phase.
 template <class Case>
@@ -65,6 +98,7 @@ void tile(State<Case>& s, int depth) {
 
   if constexpr (is_periodic) write_rows<Case, W>(s, chunks, ring(0), s.step);
   for (int front = 0; front < chunks + depth - 1; ++front) {
+    detail::prefetch_chunk(s, front + prefetch_lead);
     for (int t = 0; t < depth; ++t) {
       const int chunk = front - t;
       if (chunk < first_chunk(t) || chunk >= end_chunk(t)) continue;

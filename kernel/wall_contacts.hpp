@@ -13,6 +13,7 @@ namespace fixdem {
 /// Measure: q^2; mixed: q^2 - (R - r)^2.
 template <class Case>
 struct PipeSurface {
+  static constexpr bool is_flat = true;  ///< normals have no component along the pipe
   static constexpr double reach = Derived<Case>::pipe_radius - Derived<Case>::radius;
 
   template <class V>
@@ -45,6 +46,7 @@ struct PipeSurface {
 /// Measure: the overlap itself; the way is along z.
 template <class Case>
 struct EndSurfaces {
+  static constexpr bool is_flat = false;
   template <class V>
   static FIXDEM_INLINE Separation<V> separation(const Vec3<V>& x) {
     const auto at_start = x.z < 0.5 * Case::pipe_length;
@@ -66,6 +68,7 @@ template <class Case, class Surface>
 struct WallSide {
   using Law = ContactLaw<Case, true>;
   using R = Real<Case>;
+  static constexpr bool is_flat = Surface::is_flat;
   /// Taken off the overlap: nothing inside, more than any overlap outside.
   static constexpr LanesUpTo<Case> limits{0.0, 1e30};
 
