@@ -1,0 +1,149 @@
+// The arithmetic bound: how fast the contact law alone would go.
+//
+// Contacts of a simulation that is under way, evenly chosen and in its proportion of pairs to walls, are packed into
+// lanes and stay in the first-level cache. Timed is the arithmetic that no method can leave out: root and normal from
+// the difference of positions, springs, law, torque, new history. No rows are looked up and nothing is summed, so a
+// whole step cannot be faster; `fraction_of_bound` (counters.hpp) says how near it comes. Histories are read and the
+// new ones written elsewhere: each pass does the same work on contacts as they were found, sliding ones included.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "core_clock.hpp"
+#include "kernel/fixdem.hpp"
+
+namespace fixdem::bench {
+
+template <class Case>
+class PackedContacts {
+  using D = Derived<Case>;
+  static constexpr int W = native_lanes;
+  using V = Lanes<W>;
+
+ public:
+  static constexpr int most_batches = 12;  // 21 kB: within any first-level cache
+
+  explicit PackedContacts(const Simulation<Case>& simulation) {
+    const Observation seen = simulation.observe();
+    const int pairs = seen.contacts, walls = seen.wall_contacts;
+    if (pairs + walls == 0) return;
+    pair_batches_ = (most_batches * pairs + (pairs + walls) / 2) / (pairs + walls);
+    if (pairs > 0 && walls > 0) pair_batches_ = std::clamp(pair_batches_, 1, most_batches - 1);
+    wall_batches_ = most_batches - pair_batches_;
+    Place pair{0, pairs, 8 * pair_batches_, 0, 0}, wall{8 * pair_batches_, walls, 8 * wall_batches_, 0, 0};
+    simulation.for_each_contact([&](const Contact& contact) {
+      Place& at = contact.partner >= 0 ? pair : wall;
+      while (at.is_next()) pack(simulation, contact, at.first + at.taken++);
+      ++at.seen;
+    });
+  }
+
+  /// Contacts that one pass computes.
+  int count() const { return 8 * (pair_batches_ + wall_batches_); }
+
+  void pass() {
+    const int pairs = pair_batches_, all = pair_batches_ + wall_batches_;
+    for (int b = 0; b < pairs; ++b) geometry<false>(batch_[b]);
+    for (int b = pairs; b < all; ++b) geometry<true>(batch_[b]);
+    for (int b = 0; b < pairs; ++b) law<false>(batch_[b]);
+    for (int b = pairs; b < all; ++b) law<true>(batch_[b]);
+    benchmark::ClobberMemory();
+  }
+
+  /// Processor time of one contact, the best of ten stretches of about half a millisecond; 0 without contacts.
+  double seconds_per_contact() {
+    if (count() == 0) return 0;
+    constexpr int passes = 500;
+    double best = 1e300;
+    for (int trial = 0; trial < 10; ++trial) {
+      const double begin = processor_seconds();
+      for (int k = 0; k < passes; ++k) pass();
+      best = std::min(best, processor_seconds() - begin);
+    }
+    return best / passes / count();
+  }
+
+ private:
+  struct Batch {
+    alignas(64) double between[3][8];  ///< centre of the owner to that of its partner, or from the axis; m
+    alignas(64) double velocity[3][8], spin[3][8], history[3][8];
+    alignas(64) double normal[3][8], repulsion[8], damping[8], tangential_stiffness[8];  ///< between the stages
+    alignas(64) double force[3][8], torque[3][8], new_history[3][8];
+  };
+
+  /// Which of the contacts of a kind go where: number `taken` of `wanted`, evenly out of `available`.
+  struct Place {
+    int first, available, wanted, taken, seen;
+    bool is_next() const {
+      return taken < wanted && static_cast<long long>(taken) * available / wanted == static_cast<long long>(seen);
+    }
+  };
+
+  void pack(const Simulation<Case>& simulation, const Contact& contact, int number) {
+    Batch& batch = batch_[number / 8];
+    const int lane = number % 8;
+    const bool is_wall = contact.partner < 0;
+    constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::mass;
+    const double distance = is_wall ? D::pipe_radius - D::radius + contact.overlap : Case::diameter - contact.overlap;
+    const Particle owner = simulation.particle(contact.owner);
+    const Particle partner = is_wall ? Particle{} : simulation.particle(contact.partner);
+    for (int c = 0; c < 3; ++c) {
+      batch.between[c][lane] = distance * contact.normal[c];
+      batch.velocity[c][lane] = owner.velocity[c] - partner.velocity[c];
+      batch.spin[c][lane] = D::radius * (owner.angular_velocity[c] + partner.angular_velocity[c]);
+      batch.history[c][lane] = unit * contact.history[c];
+    }
+  }
+
+  static FIXDEM_INLINE Vec3<V> load_vector(const double (&a)[3][8], int lane) {
+    return {load<V>(a[0] + lane), load<V>(a[1] + lane), load<V>(a[2] + lane)};
+  }
+  static FIXDEM_INLINE void store_vector(double (&a)[3][8], int lane, const Vec3<V>& v) {
+    store(a[0] + lane, v.x);
+    store(a[1] + lane, v.y);
+    store(a[2] + lane, v.z);
+  }
+
+  /// First stage: overlap, normal and springs; the same split as in the kernel, because the roots of one contact would
+  /// otherwise delay its law.
+  template <bool is_wall>
+  static FIXDEM_INLINE void geometry(Batch& batch) {
+    for (int lane = 0; lane < 8; lane += W) {
+      const Vec3<V> between = load_vector(batch.between, lane);
+      const V distance = sqrt(dot(between, between));
+      const V gap = is_wall ? (D::pipe_radius - D::radius) - distance : distance - Case::diameter;
+      const Springs<V> k = springs<ContactLaw<Case, is_wall>, Case>(max(-gap, V{}));
+      store_vector(batch.normal, lane, scale(1.0 / distance, between));
+      store(batch.repulsion + lane, k.repulsion);
+      store(batch.damping + lane, k.damping);
+      store(batch.tangential_stiffness + lane, k.tangential_stiffness);
+    }
+  }
+
+  template <bool is_wall>
+  static FIXDEM_INLINE void law(Batch& batch) {
+    for (int lane = 0; lane < 8; lane += W) {
+      const Vec3<V> n = load_vector(batch.normal, lane), velocity = load_vector(batch.velocity, lane);
+      const Springs<V> k = {load<V>(batch.repulsion + lane), load<V>(batch.damping + lane),
+                            load<V>(batch.tangential_stiffness + lane)};
+      const V normal_velocity = dot(velocity, n);
+      History<V> history{load_vector(batch.history, lane), k.tangential_stiffness};
+      const Vec3<V> surface_velocity = add_cross(velocity, load_vector(batch.spin, lane), n);
+      const ContactForce<V> f = contact_force<ContactLaw<Case, is_wall>, Case>(
+          k, n, surface_velocity, normal_velocity, normal_velocity, k.tangential_stiffness > 0.0, history);
+      store_vector(batch.force, lane, f.force);
+      if constexpr (D::has_friction) {
+        store_vector(batch.torque, lane, cross(n, f.force));
+        store_vector(batch.new_history, lane, history.spring);
+      }
+    }
+  }
+
+  Batch batch_[most_batches];
+  int pair_batches_ = 0, wall_batches_ = 0;
+};
+
+}  // namespace fixdem::bench
