@@ -43,7 +43,7 @@ void report(benchmark::State& state, const Simulation<Case>& simulation, double 
 
 /// How near a scene whose contacts stay as they are comes to the arithmetic bound.
 template <class Case>
-void report_fraction_of_bound(benchmark::State& state, const Simulation<Case>& simulation) {
+void report_fraction_of_bound(benchmark::State& state, Simulation<Case>& simulation) {
   const double bound = law_seconds_per_contact(simulation) * state.counters["contacts_per_particle"];
   if (bound > 0) state.counters["fraction_of_bound"] = bound * state.counters["particle_steps_per_second"];
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <type_traits>
 
 #include "core_clock.hpp"
 #include "kernel/fixdem.hpp"
@@ -20,23 +21,27 @@ namespace fixdem::bench {
 template <class Case>
 class PackedContacts {
   using D = Derived<Case>;
-  static constexpr int W = native_lanes;
-  using V = Lanes<W>;
+  using T = Real<Case>;
+  using Pair = PairSide<Case>;
+  using Wall = WallSide<Case, PipeSurface<Case>>;
+  static constexpr int W = contact_lanes<Case, native_lanes>, lanes = Capacity<Case>::batch;
+  using V = Lanes<W, T>;
 
  public:
   static constexpr int most_batches = 12;  // 21 kB: within any first-level cache
 
   static constexpr int samples = 8;  ///< disjoint choices of contacts: few slide, and those make their batch slow
 
-  PackedContacts(const Simulation<Case>& simulation, int sample) {
+  PackedContacts(Simulation<Case>& simulation, int sample)
+      : pair_(simulation.state().particles, 0), wall_(simulation.state().particles, 0) {
     const Observation seen = simulation.observe();
     const int pairs = seen.contacts, walls = seen.wall_contacts;
     if (pairs + walls == 0) return;
     pair_batches_ = (most_batches * pairs + (pairs + walls) / 2) / (pairs + walls);
     if (pairs > 0 && walls > 0) pair_batches_ = std::clamp(pair_batches_, 1, most_batches - 1);
     wall_batches_ = most_batches - pair_batches_;
-    Place pair{0, pairs, 8 * pair_batches_, sample, 0, 0},
-        wall{8 * pair_batches_, walls, 8 * wall_batches_, sample, 0, 0};
+    Place pair{0, pairs, lanes * pair_batches_, sample, 0, 0},
+        wall{lanes * pair_batches_, walls, lanes * wall_batches_, sample, 0, 0};
     simulation.for_each_contact([&](const Contact& contact) {
       Place& at = contact.partner >= 0 ? pair : wall;
       while (at.is_next()) pack(simulation, contact, at.first + at.taken++);
@@ -45,14 +50,14 @@ class PackedContacts {
   }
 
   /// Contacts that one pass computes.
-  int count() const { return 8 * (pair_batches_ + wall_batches_); }
+  int count() const { return lanes * (pair_batches_ + wall_batches_); }
 
   void pass() {
     const int pairs = pair_batches_, all = pair_batches_ + wall_batches_;
-    for (int b = 0; b < pairs; ++b) geometry<false>(batch_[b]);
-    for (int b = pairs; b < all; ++b) geometry<true>(batch_[b]);
-    for (int b = 0; b < pairs; ++b) law<false>(batch_[b]);
-    for (int b = pairs; b < all; ++b) law<true>(batch_[b]);
+    for (int b = 0; b < pairs; ++b) geometry(pair_, batch_[b]);
+    for (int b = pairs; b < all; ++b) geometry(wall_, batch_[b]);
+    for (int b = 0; b < pairs; ++b) law<typename Pair::Law>(batch_[b]);
+    for (int b = pairs; b < all; ++b) law<typename Wall::Law>(batch_[b]);
     benchmark::ClobberMemory();
   }
 
@@ -71,10 +76,10 @@ class PackedContacts {
 
  private:
   struct Batch {
-    alignas(64) double between[3][8];  ///< centre of the owner to that of its partner, or from the axis; m
-    alignas(64) double velocity[3][8], spin[3][8], history[3][8];
-    alignas(64) double normal[3][8], repulsion[8], damping[8], tangential_stiffness[8];  ///< between the stages
-    alignas(64) double force[3][8], torque[3][8], new_history[3][8];
+    alignas(64) double between[3][lanes];  ///< centre of the owner to that of its partner, or from the axis; m
+    alignas(64) T velocity[3][lanes], spin[3][lanes], history[3][lanes];
+    alignas(64) T normal[3][lanes], repulsion[lanes], damping[lanes], tangential_stiffness[lanes];  ///< of first stage
+    alignas(64) T force[3][lanes], torque[3][lanes], new_history[3][lanes];
   };
 
   /// Which of the contacts of a kind go where: number `taken` of `wanted`, evenly out of `available`.
@@ -87,57 +92,76 @@ class PackedContacts {
   };
 
   void pack(const Simulation<Case>& simulation, const Contact& contact, int number) {
-    Batch& batch = batch_[number / 8];
-    const int lane = number % 8;
+    Batch& batch = batch_[number / lanes];
+    const int lane = number % lanes;
     const bool is_wall = contact.partner < 0;
     constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::mass;
     const double distance = is_wall ? D::pipe_radius - D::radius + contact.overlap : Case::diameter - contact.overlap;
     const Particle owner = simulation.particle(contact.owner);
     const Particle partner = is_wall ? Particle{} : simulation.particle(contact.partner);
+    // An end wall is turned to where a pipe wall could be: the arithmetic is the same, but for the root of a square.
+    const int turn = contact.partner < pipe_wall ? 2 : 0;
     for (int c = 0; c < 3; ++c) {
-      batch.between[c][lane] = distance * contact.normal[c];
-      batch.velocity[c][lane] = owner.velocity[c] - partner.velocity[c];
-      batch.spin[c][lane] = D::radius * (owner.angular_velocity[c] + partner.angular_velocity[c]);
-      batch.history[c][lane] = unit * contact.history[c];
+      const int from = (c + turn) % 3;
+      batch.between[c][lane] = distance * contact.normal[from];
+      batch.velocity[c][lane] = static_cast<T>(owner.velocity[from] - partner.velocity[from]);
+      batch.spin[c][lane] = static_cast<T>(D::radius * (owner.angular_velocity[from] + partner.angular_velocity[from]));
+      batch.history[c][lane] = static_cast<T>(unit * contact.history[from]);
     }
   }
 
-  static FIXDEM_INLINE Vec3<V> load_vector(const double (&a)[3][8], int lane) {
+  static FIXDEM_INLINE Vec3<V> load_vector(const T (&a)[3][lanes], int lane) {
     return {load<V>(a[0] + lane), load<V>(a[1] + lane), load<V>(a[2] + lane)};
   }
-  static FIXDEM_INLINE void store_vector(double (&a)[3][8], int lane, const Vec3<V>& v) {
+  static FIXDEM_INLINE void store_vector(T (&a)[3][lanes], int lane, const Vec3<V>& v) {
     store(a[0] + lane, v.x);
     store(a[1] + lane, v.y);
     store(a[2] + lane, v.z);
   }
 
-  /// First stage: overlap, normal and springs; the same split as in the kernel, because the roots of one contact would
-  /// otherwise delay its law.
-  template <bool is_wall>
-  static FIXDEM_INLINE void geometry(Batch& batch) {
-    for (int lane = 0; lane < 8; lane += W) {
-      const Vec3<V> between = load_vector(batch.between, lane);
-      const V distance = sqrt(dot(between, between));
-      const V gap = is_wall ? (D::pipe_radius - D::radius) - distance : distance - Case::diameter;
-      const Springs<V> k = springs<ContactLaw<Case, is_wall>, Case>(max(-gap, V{}));
-      store_vector(batch.normal, lane, scale(1.0 / distance, between));
+  /// First stage: overlap, normal and springs; the same split and arithmetic as in the kernel, because the roots of one
+  /// contact would otherwise delay its law.
+  template <class Side>
+  static FIXDEM_INLINE void geometry(const Side& side, Batch& batch) {
+    for (int lane = 0; lane < lanes; lane += W) {
+      const auto part = [&](auto width, int first) FIXDEM_INLINE_LAMBDA {
+        using Doubles = Lanes<decltype(width)::value>;
+        const int at = lane + first;
+        const Vec3<Doubles> r = {load<Doubles>(batch.between[0] + at), load<Doubles>(batch.between[1] + at),
+                                 load<Doubles>(batch.between[2] + at)};
+        if constexpr (std::is_same_v<Side, Wall>) {
+          return PipeSurface<Case>::separation(r);
+        } else {
+          const Doubles square = dot(r, r);
+          return Separation<Doubles>{r, is_mixed<Case> ? Case::diameter * Case::diameter - square : square};
+        }
+      };
+      Separation<V> separation;
+      if constexpr (is_mixed<Case>)
+        separation = narrowed<W>(part);
+      else
+        separation = part(std::integral_constant<int, W>{}, 0);
+      Vec3<V> n;
+      const V overlap = side.resolve(separation, load_any<V>(Side::limits.of(lanes)), n);
+      const Springs<V> k = springs<typename Side::Law, Case>(overlap);
+      store_vector(batch.normal, lane, n);
       store(batch.repulsion + lane, k.repulsion);
       store(batch.damping + lane, k.damping);
       store(batch.tangential_stiffness + lane, k.tangential_stiffness);
     }
   }
 
-  template <bool is_wall>
+  template <class Law>
   static FIXDEM_INLINE void law(Batch& batch) {
-    for (int lane = 0; lane < 8; lane += W) {
+    for (int lane = 0; lane < lanes; lane += W) {
       const Vec3<V> n = load_vector(batch.normal, lane), velocity = load_vector(batch.velocity, lane);
       const Springs<V> k = {load<V>(batch.repulsion + lane), load<V>(batch.damping + lane),
                             load<V>(batch.tangential_stiffness + lane)};
       const V normal_velocity = dot(velocity, n);
       History<V> history{load_vector(batch.history, lane), k.tangential_stiffness};
       const Vec3<V> surface_velocity = add_cross(velocity, load_vector(batch.spin, lane), n);
-      const ContactForce<V> f = contact_force<ContactLaw<Case, is_wall>, Case>(
-          k, n, surface_velocity, normal_velocity, normal_velocity, k.tangential_stiffness > 0.0, history);
+      const ContactForce<V> f = contact_force<Law, Case>(k, n, surface_velocity, normal_velocity, normal_velocity,
+                                                         k.tangential_stiffness > V{}, history);
       store_vector(batch.force, lane, f.force);
       if constexpr (D::has_friction) {
         store_vector(batch.torque, lane, cross(n, f.force));
@@ -146,13 +170,15 @@ class PackedContacts {
     }
   }
 
+  Pair pair_;  // formulas of the kernel; their particles are not looked at
+  Wall wall_;
   Batch batch_[most_batches];
   int pair_batches_ = 0, wall_batches_ = 0;
 };
 
 /// Processor time that the law takes for one contact of a simulation, the mean of all samples; 0 without contacts.
 template <class Case>
-double law_seconds_per_contact(const Simulation<Case>& simulation) {
+double law_seconds_per_contact(Simulation<Case>& simulation) {
   double sum = 0;
   for (int sample = 0; sample < PackedContacts<Case>::samples; ++sample)
     sum += std::make_unique<PackedContacts<Case>>(simulation, sample)->seconds_per_contact();

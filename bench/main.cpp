@@ -31,7 +31,7 @@ void add_first(const std::string& scene, long long steps, Start start) {
   const std::string name =
       "step/" + scene + "/" + std::to_string(Case::particle_count) + "/" + precision_name(Case::precision);
   benchmark::RegisterBenchmark(name.c_str(), [name, steps, start](benchmark::State& state) {
-    const Simulation<Case>& simulation = first_steps<Case>(state, name, steps, start);
+    Simulation<Case>& simulation = first_steps<Case>(state, name, steps, start);
     if (contacts == ContactsOfScene::stay) report_fraction_of_bound(state, simulation);
   });
 }
@@ -41,7 +41,7 @@ template <Precision P>
 void law_bound(benchmark::State& state) {
   using Case = bed<1000, P>;
   const std::string name = "bound/law/" + precision_name(P);
-  const Simulation<Case>& simulation = hold<Case>(name, [](auto& made) {
+  Simulation<Case>& simulation = hold<Case>(name, [](auto& made) {
     start_bed(made);
     require(made.run(1000));
   });

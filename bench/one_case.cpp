@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     constexpr long long steps = std::max(240, std::min(2500, 2500000 / Case::particle_count));
     const std::string name = std::string("step/case/") + Case::name + "/" + bench::precision_name(Case::precision);
     benchmark::RegisterBenchmark(name.c_str(), [&](benchmark::State& state) {
-      const auto& simulation =
+      auto& simulation =
           bench::first_steps<Case>(state, name, steps, [&](auto& made) { bench::start_stored(made, stored); });
       if (is_final) bench::report_fraction_of_bound(state, simulation);
     });

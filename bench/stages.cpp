@@ -34,11 +34,8 @@ struct PairStage {
     constexpr int width = Contacts<Case>::row_width;
     for (int range = 0; range < NearList<Case>::ranges; ++range) {
       const bool wraps = range == Capacity<Case>::chunks;
-      double* rows = s.contacts.rows[0] + (wraps ? Rows<Case>::wrap_first : Rows<Case>::first(range)) * width;
-      if (s.contacts.pairs.sparse[range])
-        pair_contacts<Case, W, true>(s.contacts.pairs, s.particles, range, rows, s.watch[range]);
-      else
-        pair_contacts<Case, W, false>(s.contacts.pairs, s.particles, range, rows, s.watch[range]);
+      Real<Case>* rows = s.contacts.rows[0] + (wraps ? Rows<Case>::wrap_first : Rows<Case>::first(range)) * width;
+      pair_contacts<Case, W>(s.contacts.pairs, s.particles, range, rows, s.watch[range]);
     }
   }
 };

@@ -61,7 +61,7 @@ void steady_steps(benchmark::State& state, const std::string& name, Start start)
 /// Whole steps of a scene that changes as it goes: every iteration is the same `steps` from the same start. Contacts
 /// per particle are those at the end of them. Returns the simulation as it is then.
 template <class Case, class Start>
-const Simulation<Case>& first_steps(benchmark::State& state, const std::string& name, long long steps, Start start) {
+Simulation<Case>& first_steps(benchmark::State& state, const std::string& name, long long steps, Start start) {
   Simulation<Case>& simulation = hold<Case>(name, [](auto&) {});
   double seconds = 0;
   for (auto _ : state) {
