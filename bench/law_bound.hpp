@@ -151,23 +151,34 @@ class PackedContacts {
     }
   }
 
+  /// Second stage of W contacts. As in the kernel, lanes that slide or turn are left to a function of their own.
+  template <class Law, SlidingLanes mode>
+  static FIXDEM_INLINE bool law_of_lanes(Batch& batch, int lane) {
+    const Vec3<V> n = load_vector(batch.normal, lane), velocity = load_vector(batch.velocity, lane);
+    const Springs<V> k = {load<V>(batch.repulsion + lane), load<V>(batch.damping + lane),
+                          load<V>(batch.tangential_stiffness + lane)};
+    const V normal_velocity = dot(velocity, n);
+    History<V> history{load_vector(batch.history, lane), k.tangential_stiffness};
+    const Vec3<V> surface_velocity = add_cross(velocity, load_vector(batch.spin, lane), n);
+    bool is_done;
+    const ContactForce<V> f = contact_force<Law, Case, mode>(k, n, surface_velocity, normal_velocity, normal_velocity,
+                                                             k.tangential_stiffness > V{}, history, is_done);
+    if (!is_done) return false;
+    store_vector(batch.force, lane, f.force);
+    if constexpr (D::has_friction) {
+      store_vector(batch.torque, lane, cross(n, f.force));
+      store_vector(batch.new_history, lane, history.spring);
+    }
+    return true;
+  }
+  template <class Law>
+  [[gnu::noinline]] static void law_of_sliding_lanes(Batch& batch, int lane) {
+    law_of_lanes<Law, SlidingLanes::computed>(batch, lane);
+  }
   template <class Law>
   static FIXDEM_INLINE void law(Batch& batch) {
-    for (int lane = 0; lane < lanes; lane += W) {
-      const Vec3<V> n = load_vector(batch.normal, lane), velocity = load_vector(batch.velocity, lane);
-      const Springs<V> k = {load<V>(batch.repulsion + lane), load<V>(batch.damping + lane),
-                            load<V>(batch.tangential_stiffness + lane)};
-      const V normal_velocity = dot(velocity, n);
-      History<V> history{load_vector(batch.history, lane), k.tangential_stiffness};
-      const Vec3<V> surface_velocity = add_cross(velocity, load_vector(batch.spin, lane), n);
-      const ContactForce<V> f = contact_force<Law, Case>(k, n, surface_velocity, normal_velocity, normal_velocity,
-                                                         k.tangential_stiffness > V{}, history);
-      store_vector(batch.force, lane, f.force);
-      if constexpr (D::has_friction) {
-        store_vector(batch.torque, lane, cross(n, f.force));
-        store_vector(batch.new_history, lane, history.spring);
-      }
-    }
+    for (int lane = 0; lane < lanes; lane += W)
+      if (!law_of_lanes<Law, SlidingLanes::left>(batch, lane)) law_of_sliding_lanes<Law>(batch, lane);
   }
 
   Pair pair_;  // formulas of the kernel; their particles are not looked at
