@@ -24,6 +24,9 @@ FILTER ?=
 JSON ?=
 LMP ?=
 
+# Some targets do one thing for a case that is asked for, and another without.
+case_given := $(filter command environment,$(origin CASE))
+
 include tools/make/variant.mk
 include tools/make/rules.mk
 
@@ -57,6 +60,12 @@ identical:  ## run the same scenes on every instruction set, aarch64 under emula
 	$(files) build-identical
 	@tests/identical/run.sh '$(build)/identical/count' '$(build)/identical' $(identical_all)
 
+.PHONY: golden
+golden:  ## pin the final states of all cases anew (tests/golden/) and print what has changed
+	$(needs) run test
+	$(files) build-tests
+	@FIXDEM_RENEW_GOLDEN=1 $(build)/tests --test-case='golden*' --no-intro
+
 .PHONY: cases
 cases:  ## build the program of every case in cases/ and list them
 	$(needs) run
@@ -75,14 +84,34 @@ asm:  ## show the hot loop of CASE's program in assembly
 	$(files) build-program >&2
 	@objdump -d -C --no-show-raw-insn $(case_program) | awk -f tools/make/hot_loop.awk
 
-.PHONY: bench
-bench:  ## time whole steps and their stages (Google Benchmark); FILTER=regex, JSON=file
+# Every folder of a final state that the standard set of benchmarks starts from: bench/main.cpp.
+bench_states := pipe_bed settle plug_u24
+
+.PHONY: bench bench-set bench-case
+bench:  ## time whole steps and their stages (Google Benchmark), or the steps of CASE alone; FILTER=regex, JSON=file
 	$(needs) run bench
+	+@$(MAKE) $(if $(case_given),bench-case,bench-set)
+
+bench-set:
 	$(files) build-bench
-	+@$(MAKE) final-state CASE=pipe_bed OUT= ARGS=
-	+@$(MAKE) final-state CASE=plug_u24 OUT= ARGS=
-	@$(build)/bench $(call results,pipe_bed)/final.fixdem $(call results,plug_u24)/final.fixdem \
-	  $(if $(FILTER),--benchmark_filter='$(FILTER)') $(if $(JSON),--benchmark_out='$(JSON)' --benchmark_out_format=json)
+	+@for state in $(bench_states); do $(MAKE) final-state CASE=$$state SEED= OUT= ARGS=; done
+	@$(build)/bench out $(bench_options)
+
+bench-case:
+	$(files) $(case_bench)
+	+@$(read_start); final=$(usual)/final.fixdem; \
+	if [ -e $$final ]; then state="final $$final"; \
+	elif [ -n '$(SEED)' ]; then echo "fixdem: there is no $$final: run the case with this SEED first" >&2; exit 3; \
+	elif [ -n "$$from" ]; then $(MAKE) final-state CASE="$$from" ARGS=; state="start $$start"; \
+	else state=start; fi; \
+	$(case_bench) $$state $(bench_options)
+
+.PHONY: bench-report
+bench_runs := $(foreach n,1 2 3 4 5,$(build)/bench-report-$n.json)
+bench-report:  ## run the benchmarks five times (or read JSON=file): table, picture and bench/README.md
+	$(needs) run bench report
+	+@[ -n '$(JSON)' ] || { set -e; for json in $(bench_runs); do $(MAKE) bench-set JSON=$$json FILTER=; done; }
+	tools/bench_report/bench_report.py $(or $(JSON),$(bench_runs)) --reports bench/reports --readme bench/README.md
 
 .PHONY: bench-peers
 bench-peers:  ## fixdem beside LAMMPS and LIGGGHTS, same scenes, one core; LMP=/path/to/lmp, JSON=file; rewrites the table in bench/README.md

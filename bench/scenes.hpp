@@ -1,53 +1,73 @@
 // The scenes that are timed: shipped cases, scaled along the pipe to any number of particles.
 //
-// `bed<N>`: the settled bed of pipe_bed, its final state repeated along the pipe (N a multiple of 1000) with all
-// contact histories, so that every contact rests as it did. `agitated`: the random start of pipe_bed, where particles
-// fly and few touch. `plug`: plug_u24 from its final state on, where the plug moves. Without energy ledger, as a scene
-// that only wants speed would be compiled; `bed_with_ledger` shows what the ledger costs.
+// `bed`: the settled bed of pipe_bed, its final state repeated along the pipe (N a multiple of 1000) with all contact
+// histories, so that every contact rests as it did. `drum`: settle carried on until it rests, the paper's 150 particles
+// in a closed drum, because 150 particles of the bed would not fill a pipe of their own. `agitated`: the random start
+// of pipe_bed, repeated in the same way, where particles fly and few touch. `plug`: plug_u24 from its final state on,
+// where the plug moves. Without energy ledger, as a scene that only wants speed would be compiled; `bed_with_ledger`
+// shows what the ledger costs. Every scene is a template over the precision of the case.
 #pragma once
 
-#include <filesystem>
-#include <stdexcept>
 #include <vector>
 
 #include "cases/pipe_bed.hpp"
 #include "cases/plug_u24.hpp"
-#include "kernel/fixdem.hpp"
+#include "cases/settle.hpp"
+#include "stored_start.hpp"
 #include "tools/run/arrangement.hpp"
-#include "tools/run/state_file.hpp"
 
 namespace fixdem::bench {
 
-template <int N>
+template <int N, Precision P>
 struct bed : cases::pipe_bed {
+  static_assert(N % cases::pipe_bed::particle_count == 0, "the bed is repeated whole");
   static constexpr int particle_count = N;
   static constexpr double pipe_length = cases::pipe_bed::pipe_length * N / cases::pipe_bed::particle_count;
   static constexpr bool energy_ledger = false;
+  static constexpr Precision precision = P;
 };
-struct bed_with_ledger : bed<1000> {
+template <Precision P>
+struct bed_with_ledger : bed<1000, P> {
   static constexpr bool energy_ledger = true;
 };
-struct agitated : bed<1000> {};
+template <int N, Precision P>
+struct agitated : bed<N, P> {};
+template <Precision P>
+struct drum : cases::settle {
+  static constexpr bool energy_ledger = false;
+  static constexpr Precision precision = P;
+};
+template <Precision P>
 struct plug : cases::plug_u24 {
   static constexpr bool energy_ledger = false;
+  static constexpr Precision precision = P;
 };
 
-inline void require(const Status& status) {
-  if (!status.ok()) throw std::runtime_error(describe(status.fault));
-}
+/// Final states that scenes start from.
+struct States {
+  program::StoredState bed, drum, plug;
+};
+inline States states;
 
-/// Puts the stored bed, repeated along the pipe, into the simulation, and starts it.
+/// Puts particles, repeated along the pipe as often as they fit, into the simulation, and starts it.
 template <class Simulation>
-void start_bed(Simulation& simulation, const program::StoredState& stored) {
-  constexpr double length = cases::pipe_bed::pipe_length;
-  const int unit = static_cast<int>(stored.particles.size());
-  const int repeats = Simulation::count / unit;
+void start_repeated(Simulation& simulation, const std::vector<Particle>& particles, double length) {
+  const int unit = static_cast<int>(particles.size());
   for (int id = 0; id < Simulation::count; ++id) {
-    Particle p = stored.particles[static_cast<std::size_t>(id % unit)];
+    Particle p = particles[static_cast<std::size_t>(id % unit)];
     p.position[2] += id / unit * length;
     simulation.place(id, p);
   }
   require(simulation.start());
+}
+
+template <class Simulation>
+void start_bed(Simulation& simulation) {
+  constexpr double length = cases::pipe_bed::pipe_length;
+  const program::StoredState& stored = states.bed;
+  start_repeated(simulation, stored.particles, length);
+  const int unit = static_cast<int>(stored.particles.size());
+  const int repeats = Simulation::count / unit;
   for (const program::StoredHistory& h : stored.histories) {
     // A pair across the ends of the stored pipe joins one repeat with the next.
     int next = 0;
@@ -63,22 +83,20 @@ void start_bed(Simulation& simulation, const program::StoredState& stored) {
   }
 }
 
+/// The drum, after the 0.2 s of its case another 0.4 s: then it is at rest.
+template <class Simulation>
+void start_drum(Simulation& simulation) {
+  start_stored(simulation, states.drum);
+  require(simulation.run(200000));
+}
+
 /// The random start of pipe_bed, seed 1.
 template <class Simulation>
 void start_agitated(Simulation& simulation) {
-  using Case = typename Simulation::case_type;
+  using Case = cases::pipe_bed;
   static const std::vector<Particle> particles = program::arrange_moving(
       {Case::pipe_diameter, Case::pipe_length, true}, Case::particle_count, Case::diameter, Case::start_velocity, 1);
-  for (int id = 0; id < Simulation::count; ++id) simulation.place(id, particles[static_cast<std::size_t>(id)]);
-  require(simulation.start());
-}
-
-/// A plug in motion: the final state of plug_u24 with its velocities, spins and contact histories.
-template <class Simulation>
-void start_plug(Simulation& simulation, const program::StoredState& stored) {
-  for (int id = 0; id < Simulation::count; ++id) simulation.place(id, stored.particles[static_cast<std::size_t>(id)]);
-  require(simulation.start());
-  for (const program::StoredHistory& h : stored.histories) simulation.restore_history(h.owner, h.partner, h.history);
+  start_repeated(simulation, particles, Case::pipe_length);
 }
 
 }  // namespace fixdem::bench

@@ -17,13 +17,15 @@ is_shipped := $(filter $(abspath cases),$(abspath $(case_folder)))
 case_build := $(if $(is_shipped),$(build),$(build)/elsewhere$(subst /,+,$(abspath $(case_folder))))
 case_header := $(case_build)/cases/$(case_name).hpp
 case_program := $(case_build)/bin/$(case_name)
+case_bench := $(case_build)/bench-case/$(case_name)
 results = out/$(1)$(if $(SEED),-seed$(SEED))
 OUT ?= $(call results,$(case_name))
 
 .PHONY: build-program build-cases build-tests build-bench build-peers build-tidy
 build-program: $(case_program)
 build-cases: $(case_names:%=$(build)/bin/%)
-build-tests: build-cases $(build)/tests
+precision_programs := $(foreach p,$(golden_precisions),$(case_names:%=$(build)/precision/$p/%))
+build-tests: build-cases $(precision_programs) $(build)/tests
 build-bench: $(build)/bench
 
 # casegen, and the library that all programs share.
@@ -60,9 +62,23 @@ $(1)/bin/%: $(1)/cases/%.hpp tools/run/main.cpp $(run_objects) tools/make/varian
 	$$(call say,compile the program of $(2)$$*.toml)
 	$(quiet)$$(CXX) -MMD -MP -MF $(1)/cases/$$*.d -MT $$@ -I$(1) $(program_flags) $(link_flags) \
 	  $$(call program_defines,$$$$($(casegen) --name $(2)$$*.toml),$$*) tools/run/main.cpp $(run_objects) $(libraries) -o $$@
+
+$(1)/bench-case/%: $(1)/cases/%.hpp bench/one_case.cpp $(run_objects) tools/make/variant.mk
+	@mkdir -p $$(@D)
+	$$(call say,compile the benchmark of $(2)$$*.toml)
+	$(quiet)$$(CXX) -MMD -MP -MF $(1)/cases/$$*.bench.d -MT $$@ -I$(1) $(program_flags) $(link_flags) \
+	  $$(call program_defines,$$$$($(casegen) --name $(2)$$*.toml),$$*) bench/one_case.cpp $(run_objects) $(libraries) \
+	  $(bench_libraries) -o $$@
 endef
 $(eval $(call case_rules,$(build),cases/))
 $(if $(is_shipped),,$(eval $(call case_rules,$(case_build),$(case_folder))))
+
+# The program of a shipped case in another precision: build/<variant>/precision/PRECISION/CASE.
+$(precision_programs): $(build)/precision/%: tools/run/main.cpp $(run_objects) tools/make/variant.mk | $(case_names:%=$(build)/cases/%.hpp)
+	@mkdir -p $(@D)
+	$(call say,compile the program of $*)
+	$(quiet)$(CXX) -MMD -MP -MF $@.d -MT $@ $(program_flags) $(link_flags) -DFIXDEM_PRECISION=$(patsubst %/,%,$(dir $*))_precision \
+	  $(call program_defines,$$($(casegen) --name cases/$(@F).toml),$(@F)) tools/run/main.cpp $(run_objects) $(libraries) -o $@
 
 %.toml:
 	@echo "fixdem: no case file '$@'; in cases/ there are: $(case_names)" >&2; exit 3
@@ -98,8 +114,9 @@ $(identical_all:%=$(build)/identical/%): $(build)/identical/%: tests/identical/m
 	  $(if $(filter native,$*),-O3,-O1) $(call arch_of,$*) $(call lanes_of,$(patsubst lanes%,%,$(filter lanes%,$(*:scalar=lanes1)))) \
 	  $(math_rules) $< -o $@
 
-# Benchmarks: compiled like the programs, because it is those that are timed.
-bench_objects := $(call objects,$(wildcard bench/*.cpp))
+# Benchmarks: compiled like the programs, because it is those that are timed. bench/one_case.cpp is compiled for a case.
+bench_objects := $(call objects,$(filter-out bench/one_case.cpp,$(wildcard bench/*.cpp)))
+bench_options = $(if $(FILTER),--benchmark_filter='$(FILTER)') $(if $(JSON),--benchmark_out='$(JSON)' --benchmark_out_format=json)
 $(build)/objects/bench/%.o: bench/%.cpp tools/make/variant.mk | $(case_names:%=$(build)/cases/%.hpp)
 	@mkdir -p $(@D)
 	$(call say,compile $<)
@@ -107,7 +124,7 @@ $(build)/objects/bench/%.o: bench/%.cpp tools/make/variant.mk | $(case_names:%=$
 
 $(build)/bench: $(bench_objects) $(run_objects)
 	$(call say,link $@)
-	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -lbenchmark -lpthread -o $@
+	$(quiet)$(CXX) $(link_flags) $^ $(libraries) $(bench_libraries) -o $@
 
 # Peers: cases that tools/peers derives from pipe_bed, each with a program of its own.
 peers := $(build)/peers
@@ -153,6 +170,6 @@ final-state: start-state
 	  echo "fixdem: running $(case_name) first, for its final state" >&2; \
 	  $(call run_case,$(usual)) >&2; $(leave_mark); fi
 
--include $(wildcard $(build)/identical/*.d $(build)/cases/*.d $(case_build)/cases/*.d $(peers)/cases/*.d) \
+-include $(wildcard $(build)/identical/*.d $(build)/cases/*.d $(case_build)/cases/*.d $(peers)/cases/*.d $(build)/precision/*/*.d) \
   $(shell find $(build)/objects -name '*.d' 2>/dev/null)
 %.d: ;

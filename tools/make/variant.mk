@@ -9,6 +9,7 @@ build := $(BUILD)/$(variant)
 prefixes := $(wildcard /opt/homebrew /home/linuxbrew/.linuxbrew)
 system_includes := -isystem /usr/include/eigen3 $(foreach p,$(prefixes),-isystem $p/include -isystem $p/include/eigen3)
 libraries := $(foreach p,$(prefixes),-L$p/lib) -lfmt -lxxhash
+bench_libraries := -lbenchmark -lpthread
 
 # SAN=1: stop at the first finding of the address or the undefined-behaviour sanitizer.
 # Null, alignment and object-size checks are left out: the address sanitizer and the aligned loads of the machine find the
@@ -44,4 +45,8 @@ link_flags := $(sanitizers)
 # What the program of a case and the tests are told: the case, and where things lie.
 program_defines = -DFIXDEM_CASE=$(1) -DFIXDEM_CASE_HEADER='"cases/$(2).hpp"'
 test_defines := -DFIXDEM_CASEGEN='"$(abspath $(build)/casegen)"' -DFIXDEM_CASES_DIR='"$(abspath cases)"' \
-                -DFIXDEM_SCRATCH='"$(abspath $(build)/scratch)"' -DFIXDEM_BIN_DIR='"$(abspath $(build)/bin)"'
+                -DFIXDEM_SCRATCH='"$(abspath $(build)/scratch)"' -DFIXDEM_BIN_DIR='"$(abspath $(build)/bin)"' \
+                -DFIXDEM_GOLDEN='"$(abspath tests/golden/states.txt)"' -DFIXDEM_GOLDEN_PRECISIONS='"$(golden_precisions)"'
+
+# Precisions beside its own in which the final state of every shipped case is pinned (tests/golden_test.cpp).
+golden_precisions :=

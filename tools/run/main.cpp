@@ -10,7 +10,13 @@
 #include "kernel/fixdem.hpp"
 
 namespace {
+#ifdef FIXDEM_PRECISION  // the same case in another precision, for comparison
+struct Case : fixdem::cases::FIXDEM_CASE {
+  static constexpr auto precision = fixdem::Precision::FIXDEM_PRECISION;
+};
+#else
 using Case = fixdem::cases::FIXDEM_CASE;
+#endif
 fixdem::Simulation<Case> simulation;  // about a megabyte: never on the stack
 }  // namespace
 

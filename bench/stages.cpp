@@ -1,0 +1,154 @@
+// The stages of a step, one at a time: stage/<stage>/<N>/<precision>.
+//
+// A stage is a function of the kernel called for the whole pipe on the state of a scene under way; this is the one file
+// of the benchmarks that knows how a step is put together. Called again and again, a stage would change its own input
+// (histories grow, particles drift), so after every 64 calls the state is put back as it was.
+//
+// Some stages are not called in every step: `steps_per_call` says how many steps share a call, and the counters are per
+// particle and step all the same, so that the stages of a step add up to it.
+#include "stages.hpp"
+
+#include "counters.hpp"
+#include "scenes.hpp"
+
+namespace fixdem::bench {
+namespace {
+
+constexpr int W = native_lanes;
+
+template <class Case>
+struct NearListStage {
+  static constexpr Contacting contacting = Contacting::none;
+  static void call(State<Case>& s) {
+    for (int range = 0; range < NearList<Case>::ranges; ++range)
+      require(list_again<Case, W>(s.contacts, s.near_list, s.particles, s.scratch, range));
+    for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
+      require(list_slots(s.contacts, s.near_list, s.particles, s.scratch, chunk));
+  }
+};
+
+template <class Case>
+struct PairStage {
+  static constexpr Contacting contacting = Contacting::pairs;
+  static void call(State<Case>& s) {
+    constexpr int width = Contacts<Case>::row_width;
+    for (int range = 0; range < NearList<Case>::ranges; ++range) {
+      const bool wraps = range == Capacity<Case>::chunks;
+      Real<Case>* rows = s.contacts.rows[0] + (wraps ? Rows<Case>::wrap_first : Rows<Case>::first(range)) * width;
+      pair_contacts<Case, W>(s.contacts.pairs, s.particles, range, rows, s.watch[range]);
+    }
+  }
+};
+
+template <class Case>
+struct WallStage {
+  static constexpr Contacting contacting = Contacting::walls;
+  static void call(State<Case>& s) {
+    constexpr int width = Contacts<Case>::row_width;
+    for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
+      wall_contacts<Case, W, PipeSurface<Case>>(s.contacts.pipe, s.particles, chunk,
+                                                s.contacts.rows[0] + first_pipe_row(s.contacts, chunk) * width,
+                                                s.watch[chunk]);
+  }
+};
+
+template <class Case>
+struct GasStage {
+  static constexpr Contacting contacting = Contacting::none;
+  static constexpr int steps_per_call = Case::gas_update_interval;
+  static void call(State<Case>& s) { require(update_slices<Case, W>(s.gas, s.particles)); }
+};
+
+template <class Case>
+struct FloatersStage {
+  static constexpr Contacting contacting = Contacting::none;
+  static constexpr int steps_per_call = Case::gas_floater_interval;
+  static void call(State<Case>& s) { find_floaters(s.gas, s.particles, s.contacts); }
+};
+
+/// Sum of the force rows and integration. The rows are what the last two chunks left.
+template <class Case>
+struct MotionStage {
+  static constexpr Contacting contacting = Contacting::none;
+  static void call(State<Case>& s) {
+    for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
+      move<Case, W>(s.contacts, s.particles, chunk, s.contacts.rows[0], s.watch[chunk]);
+  }
+};
+
+/// Steps that a near list of the scene lasts; at least 1000 and at most 20000 are run to find out.
+template <class Case>
+double steps_per_renewal(Simulation<Case>& simulation) {
+  const double before = lists_made(simulation);
+  for (int thousands = 1;; ++thousands) {
+    require(simulation.run(1000));
+    const double lists = lists_made(simulation) - before;
+    if (lists >= 3 || thousands == 20) return 1000.0 * thousands / std::max(1.0, lists);
+  }
+}
+
+/// A stage on a scene under way, and the state to put back.
+template <class Case>
+struct Prepared {
+  Simulation<Case> simulation;
+  State<Case> saved;
+  double steps_per_renewal;
+};
+
+template <class Case, class Stage, class Start>
+void one_stage(benchmark::State& state, Start start) {
+  static std::unique_ptr<Prepared<Case>> prepared;
+  if (!prepared) {
+    prepared = std::make_unique<Prepared<Case>>();
+    start(prepared->simulation);
+    prepared->steps_per_renewal = steps_per_renewal(prepared->simulation);
+    prepared->saved = prepared->simulation.state();
+  }
+  constexpr int calls = 64;
+  State<Case>& s = prepared->simulation.state();
+  double seconds = 0;
+  for (auto _ : state) {
+    const double begin = processor_seconds();
+    for (int k = 0; k < calls; ++k) {
+      Stage::call(s);
+      benchmark::ClobberMemory();
+    }
+    seconds += processor_seconds() - begin;
+    state.PauseTiming();
+    s = prepared->saved;
+    state.ResumeTiming();
+  }
+  double steps_per_call = 1;
+  if constexpr (requires { Stage::steps_per_call; }) steps_per_call = Stage::steps_per_call;
+  if constexpr (std::is_same_v<Stage, NearListStage<Case>>) steps_per_call = prepared->steps_per_renewal;
+  state.counters["steps_per_call"] = steps_per_call;
+  report(state, prepared->simulation, static_cast<double>(state.iterations()) * calls * steps_per_call, seconds,
+         Stage::contacting);
+}
+
+template <class Case, template <class> class Stage, class Start>
+void add(const std::string& stage, Start start) {
+  const std::string name =
+      "stage/" + stage + "/" + std::to_string(Case::particle_count) + "/" + precision_name(Case::precision);
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [start](benchmark::State& state) { one_stage<Case, Stage<Case>>(state, start); });
+}
+
+template <Precision P>
+void add_all() {
+  const auto bed_start = [](auto& simulation) { start_bed(simulation); };
+  const auto plug_start = [](auto& simulation) { start_stored(simulation, states.plug); };
+  using Bed = bed<1000, P>;
+  add<Bed, NearListStage>("near_list", bed_start);
+  add<Bed, PairStage>("pair", bed_start);
+  add<Bed, WallStage>("wall", bed_start);
+  add<Bed, MotionStage>("motion", bed_start);
+  add<plug<P>, GasStage>("gas", plug_start);
+  add<plug<P>, FloatersStage>("floaters", plug_start);
+}
+
+}  // namespace
+
+void register_stages() { add_all<Precision::double_precision>(); }
+
+}  // namespace fixdem::bench
