@@ -36,8 +36,7 @@ std::vector<Rule<CaseValues>> run_keys() {
         "\"euler\" is the paper's"},
        Choice{&Values::integrator, {"euler", "leapfrog"}}},
       {{"run", "precision", "", false, When::always, "",
-        "arithmetic of contacts: double, or mixed, in single precision; positions, velocities and gas are double in "
-        "both",
+        "double everywhere; mixed: contact forces and histories in single precision, all else in double",
         "\"double\", or \"mixed\": faster, and as exact as kernel/README.md says"},
        Choice{&Values::precision, {"double", "mixed"}}},
       {{"run", "gravity", "m/s2", false, When::always, "", "acceleration of gravity; y is up, z along the pipe",
@@ -56,7 +55,7 @@ std::vector<Rule<CaseValues>> run_keys() {
         "room for near pairs of one particle; the run stops when it is not enough",
         "twelve equal spheres can touch one; the default is 14"},
        Whole{&Values::neighbour_capacity, between(2, 30)}},
-      {{"capacity", "tile_steps", "steps", false, When::always, "16 in a pipe of 256 chunks or more, else 1",
+      {{"capacity", "tile_steps", "steps", false, When::always, "chosen by the kernel",
         "steps done together while a piece of a long pipe is in the cache; results do not depend on it",
         "leave it out, and the kernel chooses; 1 is plain steps, more need a pipe of many chunks"},
        Whole{&Values::tile_steps, between(1, 16)}},
