@@ -11,6 +11,7 @@
 
 #include "cases/pipe_bed.hpp"
 #include "cases/plug_u24.hpp"
+#include "kernel/fixdem.hpp"
 #include "mixed.hpp"
 #include "scenes.hpp"
 
