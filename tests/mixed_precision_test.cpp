@@ -73,8 +73,8 @@ void check_rest(double greatest, double mean_square) {
               << " m/s: " << (is_mixed<Case> ? "mixed" : "double") << "\n";
 }
 
-/// Weight changes velocities by 2e-5 m/s per step. Floats balance it to 2^-24 of the forces between the spheres, and
-/// rounding of the histories alone leaves up to 2e-10 m/s.
+/// Weight changes velocities by 2e-5 m/s per step. Floats balance it to 2^-24 of the forces between the spheres, some
+/// 1e-12 m/s per step, which the contacts hardly damp; histories round in the same way.
 TEST_CASE("mixed: a bed comes to rest as far as floats can balance its weight; in double, further") {
   check_rest<resting_bed>(5e-11, 1e-11);
   check_rest<in_mixed_precision<resting_bed>>(3e-9, 1e-9);
