@@ -114,6 +114,20 @@ using Real = std::conditional_t<is_mixed<Case>, float, double>;
 template <class Case, int W>
 inline constexpr int contact_lanes = is_mixed<Case>&& W > 1 ? 2 * W : W;
 
+/// Particles in a chunk of the pipe: at least those whose centres can lie within 1.3 d along the axis, so that a
+/// contact joins a chunk with itself or the next one for as long as the order along the pipe lasts (near_list.hpp).
+/// That slab packed to 0.70 (random close packing is 0.64), 64 at least, because smaller chunks waste lanes, and never
+/// more than the scene has.
+constexpr int particles_per_chunk(int particle_count, double pipe_diameter, double diameter) {
+  const int whole_scene = (particle_count + 15) / 16 * 16;
+  const double slab = 1.3 * 0.70 * 1.5 * (pipe_diameter / diameter) * (pipe_diameter / diameter) + 20;
+  const int size = slab < 64 ? 64 : (slab < whole_scene ? static_cast<int>(slab) / 16 * 16 : whole_scene);
+  return size < whole_scene ? size : whole_scene;
+}
+
+/// Chunks that a tile of several steps needs (tiles.hpp).
+constexpr int chunks_for_tile(int tile_steps) { return tile_steps == 1 ? 1 : 2 * tile_steps + 4; }
+
 /// Fixed sizes of the arrays. Each says why it is what it is and what happens when it is not enough.
 template <class Case>
 struct Capacity {
@@ -125,16 +139,8 @@ struct Capacity {
   /// list cut of 1.05 d is 12. The case can set it (`[capacity] neighbours`, default 14). Overflow: the run stops.
   static constexpr int neighbours = Case::neighbour_capacity;
 
-  /// Particles in a chunk of the pipe: at least those whose centres can lie within 1.3 d along the axis, so that a
-  /// contact joins a chunk with itself or the next one for as long as the order along the pipe lasts (near_list.hpp).
-  /// That slab packed to 0.70 (random close packing is 0.64), 64 at least, because smaller chunks waste lanes, and
-  /// never more than the scene has. Overflow: the run stops.
-  static constexpr int whole_scene = (Case::particle_count + 15) / 16 * 16;
-  static constexpr double slab =
-      1.3 * 0.70 * 1.5 * (Case::pipe_diameter / Case::diameter) * (Case::pipe_diameter / Case::diameter) + 20;
-  static constexpr int slab_size =
-      slab < 64 ? 64 : (slab < whole_scene ? static_cast<int>(slab) / 16 * 16 : whole_scene);
-  static constexpr int chunk_size = slab_size < whole_scene ? slab_size : whole_scene;
+  /// Particles in a chunk of the pipe. Overflow: the run stops.
+  static constexpr int chunk_size = particles_per_chunk(Case::particle_count, Case::pipe_diameter, Case::diameter);
   static constexpr int chunks = (Case::particle_count + chunk_size - 1) / chunk_size;
 
   /// Pairs owned by the particles of one chunk, each pair counted once: half the neighbours of each, and one batch of

@@ -58,7 +58,7 @@ struct NearList {
   bool is_broken(int range) const {
     const Promise& p = promise[range];
     const int chunks = Cap::chunks;
-    if (range == chunks) {
+    if (D::is_periodic && range == chunks) {
       const double owners = way[0] - p.own_way;
       double partners = way[chunks - 1] - p.other_way;
       if (chunks > 1) partners = max(partners, way[chunks - 2] - p.third_way);

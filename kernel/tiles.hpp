@@ -24,9 +24,9 @@ namespace fixdem {
 template <class Case>
 int tile_depth(const State<Case>& s, long long steps) {
   constexpr int greatest = Capacity<Case>::tile_steps;
-  static_assert(greatest >= 1 && greatest <= order_interval, "fixdem: a tile spans 1 to 16 steps");
-  static_assert(greatest == 1 || Capacity<Case>::chunks >= 2 * greatest + 4,
-                "fixdem: tiles need a pipe of many chunks: lower tile_steps");
+  static_assert(greatest >= 1 && greatest <= order_interval, "fixdem: [capacity] tile_steps must lie between 1 and 16");
+  static_assert(Capacity<Case>::chunks >= chunks_for_tile(greatest),
+                "fixdem: tiles need a pipe of many chunks: lower [capacity] tile_steps");
   if (greatest == 1 || s.near_list.in_haste) return 1;
   long long depth = steps < greatest ? steps : greatest;
   const auto end_before = [&](int interval) {

@@ -37,7 +37,8 @@ void compare_with_one_lane() {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("widths agree byte for byte", Case, gas, smooth, leapfrog, paper, linear) {
+TEST_CASE_TEMPLATE("widths agree byte for byte", Case, gas, smooth, leapfrog, paper, linear, mixed_gas, mixed_smooth,
+                   mixed_leapfrog, mixed_paper) {
   if constexpr (FIXDEM_WIDEST_LANES >= 8) compare_with_one_lane<Case, 8>();
   if constexpr (FIXDEM_WIDEST_LANES >= 4) compare_with_one_lane<Case, 4>();
   if constexpr (FIXDEM_WIDEST_LANES >= 2) compare_with_one_lane<Case, 2>();

@@ -21,9 +21,9 @@ using nlohmann::json;
 
 namespace {
 
-const char* const shipped[] = {"collide_pair", "collide_wall", "oblique_wall", "drag_single", "settle",
-                               "pipe_bed",     "fill_1000",    "fill_500",     "plug_u24",    "plug_u24_n500",
-                               "plug_u17",     "plug_u17_d3",  "plug_u24_d3"};
+const char* const shipped[] = {"collide_pair",  "collide_wall", "oblique_wall", "drag_single", "settle",
+                               "settle_mixed",  "pipe_bed",     "fill_1000",    "fill_500",    "plug_u24",
+                               "plug_u24_n500", "plug_u17",     "plug_u17_d3",  "plug_u24_d3"};
 
 bool is_plug(const std::string& name) { return name.rfind("plug", 0) == 0; }
 
@@ -64,7 +64,7 @@ TEST_CASE("program: a short run of every shipped case") {
     for (const auto& use : s["capacity"]) CHECK(use["high_water"] <= use["limit"]);
     CHECK(s["case"] == name);
     CHECK(s["status"] == "done");
-    CHECK(s["precision"] == "double");
+    CHECK(s["precision"] == (contains(name, "mixed") ? "mixed" : "double"));
     CHECK(s["steps"] == 200);
     CHECK(s["final"]["time"].get<double>() == doctest::Approx(0.0004));
     CHECK(s["plug"].is_object() == (is_plug(name) || name == "drag_single"));
@@ -108,6 +108,14 @@ TEST_CASE("program: collisions give back their restitution, contact time and ove
   const double incoming = 1.648211, radius = 0.005;
   CHECK(spin == doctest::Approx(2.5 * (tangential - 1) * incoming / radius).epsilon(1e-9));
   CHECK(s["particles"][0]["velocity"][0].get<double>() == doctest::Approx(tangential * incoming).epsilon(1e-9));
+}
+
+TEST_CASE("program: mixed precision is named, and differs by rounding") {
+  const json full = run_program("settle", "double", "--duration 0.01 --quiet").summary()["final"];
+  const json mixed = run_program("settle_mixed", "mixed", "--duration 0.01 --quiet").summary()["final"];
+  CHECK(mixed["state_hash"] != full["state_hash"]);
+  CHECK(mixed["kinetic_energy"].get<double>() == doctest::Approx(full["kinetic_energy"].get<double>()).epsilon(1e-5));
+  CHECK(contains(run_program("settle_mixed", "mixed_version", "--version").standard_output, "precision:       mixed"));
 }
 
 TEST_CASE("program: a single particle in rising gas falls as published") {

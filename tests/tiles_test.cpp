@@ -11,6 +11,8 @@
 
 #include "cases/pipe_bed.hpp"
 #include "cases/plug_u24.hpp"
+#include "kernel/fixdem.hpp"
+#include "mixed.hpp"
 #include "scenes.hpp"
 
 using namespace fixdem;
@@ -37,6 +39,7 @@ struct closed : periodic {
 struct with_gas : long_pipe<cases::plug_u24, 100> {
   static constexpr int tile_steps = 8;
 };
+struct mixed : in_mixed_precision<periodic> {};
 struct smooth_leapfrog : periodic {
   static constexpr double friction = 0;
   static constexpr auto integrator = Integrator::leapfrog;
@@ -52,7 +55,8 @@ std::unique_ptr<Simulation<Case>> started() {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("tiles: the same bytes as step by step", Case, periodic, deep, closed, with_gas, smooth_leapfrog) {
+TEST_CASE_TEMPLATE("tiles: the same bytes as step by step", Case, periodic, deep, closed, with_gas, mixed,
+                   smooth_leapfrog) {
   enter({Case::name, seed()});
   static_assert(Capacity<Case>::chunks >= 24);
   auto together = started<Case>(), one_by_one = started<Case>();

@@ -1,5 +1,5 @@
 // Scenes that must come out the same to the last bit, however the kernel is compiled: small, agitated, and between them
-// with every law, integrator and kind of wall, with and without gas and friction.
+// with every law, integrator, precision and kind of wall, with and without gas and friction.
 //
 // Nothing here needs a library, not even the mathematics library, so that the scenes also run where there is none.
 #pragma once
@@ -7,6 +7,7 @@
 #include "cases/plug_u24.hpp"
 #include "cases/settle.hpp"
 #include "kernel/particles.hpp"
+#include "tests/mixed.hpp"
 
 namespace fixdem::tests::identical {
 
@@ -53,6 +54,11 @@ struct linear : paper {
   static constexpr auto damping = Damping::critical;
   static constexpr double normal_stiffness = 1e5, tangential_stiffness = 3e4;
 };
+
+struct mixed_gas : in_mixed_precision<gas> {};
+struct mixed_smooth : in_mixed_precision<smooth> {};
+struct mixed_leapfrog : in_mixed_precision<leapfrog> {};
+struct mixed_paper : in_mixed_precision<paper> {};
 
 inline constexpr long long steps = 2000;
 

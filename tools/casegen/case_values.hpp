@@ -75,6 +75,7 @@ struct CaseValues {
   double max_overlap = 0.5;      // in particle radii
 
   std::int64_t neighbour_capacity = 14;
+  std::int64_t tile_steps = 0;  // 0: the kernel chooses
 
   double log_interval = 0;        // s
   double frame_interval = 0;      // s; 0: no frames

@@ -1,4 +1,4 @@
-// Whether the particles fit: pipe, slices, solids fraction, placed particles.
+// Whether the particles fit: pipe, slices, solids fraction, placed particles; and whether tiles fit the pipe.
 //
 // The limits are 0.60 of the pipe's volume for any start (random close packing is 0.64, less near walls) and 0.45 for a
 // random arrangement; a denser start is the final state of a case that fills the pipe. Placed particles may overlap
@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "checks.hpp"
+#include "kernel/case.hpp"
 
 namespace fixdem::casegen {
 namespace {
@@ -122,12 +123,31 @@ void check_placed(const Reading& reading, Report& report) {
     }
 }
 
+/// A tile needs a pipe of many chunks (kernel/tiles.hpp).
+void check_tiles(const Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  if (!reading.has("capacity.tile_steps") || v.tile_steps <= 1) return;
+  if (!reading.usable({"capacity.tile_steps", "particles.count", "particles.diameter", "pipe.diameter"})) return;
+  if (v.diameter >= v.pipe_diameter) return;  // reported already
+  const auto count = static_cast<int>(v.count);
+  const int size = particles_per_chunk(count, v.pipe_diameter, v.diameter), chunks = (count + size - 1) / size;
+  auto greatest = v.tile_steps;
+  while (chunks < chunks_for_tile(static_cast<int>(greatest))) --greatest;
+  if (greatest < v.tile_steps)
+    report.error(reading.place("capacity.tile_steps"),
+                 fmt::format("{} needs {} chunks of {} particles, and {} particles fill {}; allowed: {}",
+                             reading.quote("capacity.tile_steps"), chunks_for_tile(static_cast<int>(v.tile_steps)),
+                             size, v.count, chunks, greatest == 1 ? "1" : fmt::format("1 to {}", greatest)),
+                 "leave tile_steps out, and the kernel chooses: tiles are for pipes that the cache does not hold");
+}
+
 }  // namespace
 
 void check_geometry(const Reading& reading, Report& report) {
   check_pipe(reading, report);
   check_solids_fraction(reading, report);
   check_placed(reading, report);
+  check_tiles(reading, report);
 }
 
 }  // namespace fixdem::casegen

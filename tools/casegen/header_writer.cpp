@@ -110,6 +110,7 @@ void write_physics(Members& members, const CaseValues& v) {
   members.choice("Precision", "precision", v.precision + "_precision");
   members.real("max_overlap", v.max_overlap, "radii");
   members.whole("neighbour_capacity", v.neighbour_capacity);
+  if (v.tile_steps > 0) members.whole("tile_steps", v.tile_steps);
   members.flag("energy_ledger", v.energy_ledger);
 }
 

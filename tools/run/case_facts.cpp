@@ -4,6 +4,8 @@ namespace fixdem::program {
 
 const char* integrator_name(Integrator integrator) { return integrator == Integrator::leapfrog ? "leapfrog" : "euler"; }
 
+const char* precision_name(Precision precision) { return precision == Precision::mixed_precision ? "mixed" : "double"; }
+
 std::vector<std::string> features(const CaseFacts& facts) {
   std::vector<std::string> list;
   list.push_back(facts.normal == NormalLaw::hertz ? "hertz" : "linear");

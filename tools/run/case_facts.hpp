@@ -36,6 +36,7 @@ struct CaseFacts {
   Damping damping;
   BedHeight bed_height;
   Integrator integrator;
+  Precision precision;
   double stiffness_pair, stiffness_wall;  ///< N/m^1.5 (hertz) or N/m (linear): only for advice about the time step
 
   StartKind start;
@@ -97,6 +98,7 @@ constexpr CaseFacts case_facts() {
   f.normal = Case::normal, f.tangential = Case::tangential, f.slider = Case::slider;
   f.damping_mass = Case::damping_mass, f.damping = Case::damping;
   f.bed_height = Case::gas_bed_height, f.integrator = Case::integrator;
+  f.precision = Case::precision;
   f.stiffness_pair = D::stiffness_pair, f.stiffness_wall = D::stiffness_wall;
   f.start = Case::start, f.seed = Case::seed, f.start_velocity = Case::start_velocity;
   f.start_keeps_motion = Case::start_keeps_motion, f.start_from = Case::start_from, f.placed = Case::placed;
@@ -108,5 +110,6 @@ constexpr CaseFacts case_facts() {
 /// Names of what is compiled in, in a fixed order: laws, walls, gas, integrator.
 std::vector<std::string> features(const CaseFacts&);
 const char* integrator_name(Integrator);
+const char* precision_name(Precision);  ///< as in a case file
 
 }  // namespace fixdem::program

@@ -20,8 +20,8 @@ std::string version_text(const CaseFacts& facts, const SimulationView& view) {
   for (const std::string& feature : features(facts)) text += " " + feature;
   text += "\ncapacities:     ";
   for (const CapacityUse& use : view.capacities()) text += fmt::format(" {} {};", use.name, use.limit);
-  text += fmt::format("\ninstruction set: {}\nprecision:       double\ncompiler:        {}\n", facts.instruction_set,
-                      facts.compiler);
+  text += fmt::format("\ninstruction set: {}\nprecision:       {}\ncompiler:        {}\n", facts.instruction_set,
+                      precision_name(facts.precision), facts.compiler);
   return text;
 }
 

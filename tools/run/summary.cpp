@@ -75,7 +75,7 @@ std::string encode_summary(const CaseFacts& facts, const Options& options, const
   const Json summary = {{"case", facts.name},
                         {"case_hash", fmt::format("{:016x}", facts.source_hash)},
                         {"features", features(facts)},
-                        {"precision", "double"},
+                        {"precision", precision_name(facts.precision)},
                         {"integrator", integrator_name(facts.integrator)},
                         {"time_step", facts.time_step},
                         {"steps", outcome.snapshot.step},
