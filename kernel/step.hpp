@@ -32,7 +32,7 @@ struct State {
 
 namespace detail {
 
-/// Keeps the earliest fault; `step` is the number of steps completed before the one in which it was found.
+/// Keeps the earliest fault; `step`: steps completed, the faulty one included, at which it would have stopped the run.
 template <class Case>
 void note(State<Case>& s, Status fault, long long step) {
   fault.step = step;
@@ -94,7 +94,7 @@ void write_rows(State<Case>& s, int range, Real<Case>* ring, long long step) {
   constexpr int width = Contacts<Case>::row_width;
   if (s.near_list.is_broken(range)) {
     const Status status = list_again<Case, W>(s.contacts, s.near_list, s.particles, s.scratch, range);
-    if (!status.ok()) detail::note(s, status, step);
+    if (!status.ok()) detail::note(s, status, step + 1);
   }
   Watch<Case>& watch = s.watch[range];
   watch.begin_step();
@@ -117,7 +117,7 @@ template <class Case, int W>
 void move_chunk(State<Case>& s, int chunk, const Real<Case>* ring, long long step) {
   if (s.contacts.slots_are_stale[chunk]) {
     const Status status = list_slots(s.contacts, s.near_list, s.particles, s.scratch, chunk);
-    if (!status.ok()) detail::note(s, status, step);
+    if (!status.ok()) detail::note(s, status, step + 1);
   }
   Watch<Case>& watch = s.watch[chunk];
   move<Case, W>(s.contacts, s.particles, chunk, ring, watch);

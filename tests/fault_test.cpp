@@ -119,24 +119,25 @@ TEST_CASE("fault: more neighbours than the capacity, during the run") {
   check_stopped<two_neighbours>(spheres, {Fault::neighbour_capacity, 2, 3, 2}, 4850, 200);
 }
 
-/// 64 spheres in one plane, each touching two of the 64 in the next: more pairs than neighbours allow on average.
+/// Planes of 25 spheres; each sphere of the first plane touches two of the second, those of the third two of the fourth.
 struct zigzag : few {
-  static constexpr int particle_count = 128;
+  static constexpr int particle_count = 100;
   static constexpr bool has_wall = false;
   static constexpr int neighbour_capacity = 2;
 };
 
 TEST_CASE("fault: more pairs than a chunk holds") {
   REQUIRE(Capacity<zigzag>::chunk_size == 64);
-  Spheres spheres(128);
-  for (int k = 0; k < 64; ++k) {
-    spheres[k].position[0] = 1.6 * d * k, spheres[k].position[2] = 0.1;
-    spheres[64 + k].position[0] = 1.6 * d * k + 0.8 * d, spheres[64 + k].position[2] = 0.1 + 0.6 * d;
+  Spheres spheres(100);
+  for (int k = 0; k < 100; ++k) {
+    const int plane = k / 25;
+    spheres[k].position[0] = 1.6 * d * (k % 25) + (plane % 2 == 0 ? 0 : 0.8 * d);
+    spheres[k].position[2] = 0.1 + (plane / 2 * 1.3 + plane % 2 * 0.6) * d;
   }
-  // Spheres k and 64 + k, then k + 1 and 64 + k: the pair number 73 belongs to the 37th sphere of the chunk.
+  // 49 pairs of the first two planes, then 1 + 11 * 2 of the third: number 73 is the first of its 13th sphere.
   const int limit = Capacity<zigzag>::chunk_pairs;
   REQUIRE(limit == 72);
-  check_refused<zigzag>(spheres, {Fault::pair_capacity, 36, limit + 1.0, static_cast<double>(limit)});
+  check_refused<zigzag>(spheres, {Fault::pair_capacity, 62, limit + 1.0, static_cast<double>(limit)});
 }
 
 /// More spheres beside each other than the pipe could hold: only without its wall.
@@ -151,9 +152,8 @@ TEST_CASE("fault: more particles beside each other than a chunk holds") {
     spheres[k].position[0] = 2 * d * k;
     spheres[k].position[2] = 0.1 + 1e-9 * k;
   }
-  spheres[100].position[0] = spheres[10].position[0], spheres[100].position[1] = d;  // 10 and 100 touch
   const int limit = Capacity<crowd>::chunk_size;
-  check_refused<crowd>(spheres, {Fault::chunk_capacity, 10, 90, static_cast<double>(limit)});
+  check_refused<crowd>(spheres, {Fault::chunk_capacity, 0, 130, static_cast<double>(limit)});
 }
 
 TEST_CASE("fault: input that is no finite number") {

@@ -148,7 +148,7 @@ void check_no_allocation() {
   REQUIRE(status.ok());
   CHECK(allocations_in([&] { status = simulation.run(5000); }) == 0);
   REQUIRE(status.ok());
-  CHECK(simulation.renewals() > 3);
+  CHECK(simulation.listings() > 3);
   double sum = 0;
   CHECK(allocations_in([&] {
           simulation.for_each_contact([&](const Contact& c) { sum += c.normal_force; });
