@@ -95,6 +95,7 @@ int main(int argc, char** argv) {
   try {
     read_states(argv[1]);
     register_steps<fixdem::Precision::double_precision>();
+    register_steps<fixdem::Precision::mixed_precision>();
     register_stages();
     argv[1] = argv[0];
     --argc;

@@ -24,7 +24,7 @@ OUT ?= $(call results,$(case_name))
 .PHONY: build-program build-cases build-tests build-bench build-peers build-tidy
 build-program: $(case_program)
 build-cases: $(case_names:%=$(build)/bin/%)
-precision_programs := $(foreach p,$(golden_precisions),$(case_names:%=$(build)/precision/$p/%))
+precision_programs := $(foreach p,$(golden_precisions),$(golden_cases:%=$(build)/precision/$p/%))
 build-tests: build-cases $(precision_programs) $(build)/tests
 build-bench: $(build)/bench
 
