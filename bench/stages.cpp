@@ -149,7 +149,9 @@ void add_all() {
 
 }  // namespace
 
-void register_stages() { add_all<Precision::double_precision>();
- add_all<Precision::mixed_precision>(); }
+void register_stages() {
+  add_all<Precision::double_precision>();
+  add_all<Precision::mixed_precision>();
+}
 
 }  // namespace fixdem::bench

@@ -258,8 +258,8 @@ void gathered_contacts(const Side& side, Batches& batches, int first, Gathered<C
         const int number = list.number[j < end ? k + j : k];
         kept[c][lane + j] = detail::history_of<Case, size>(batches, first + number / lanes)[c][number % lanes];
       }
-    detail::contact_rows<Case, W, SlidingLanes::computed>(side, geometry[k / lanes], lane, list.owner + k,
-                                                          list.partner + k, kept, row, energy);
+    detail::sliding_contact_rows<Case, W>(side, geometry[k / lanes], lane, list.owner + k, list.partner + k, kept, row,
+                                          energy);
     for (int j = 0; j < end; ++j) {
       const int number = list.number[k + j];
       for (int c = 0; c < size; ++c)

@@ -119,7 +119,8 @@ TEST_CASE("fault: more neighbours than the capacity, during the run") {
   check_stopped<two_neighbours>(spheres, {Fault::neighbour_capacity, 2, 3, 2}, 4850, 200);
 }
 
-/// Planes of 25 spheres; each sphere of the first plane touches two of the second, those of the third two of the fourth.
+/// Planes of 25 spheres; each sphere of the first plane touches two of the second, those of the third two of the
+/// fourth.
 struct zigzag : few {
   static constexpr int particle_count = 100;
   static constexpr bool has_wall = false;

@@ -42,13 +42,14 @@ test_flags := $(common) -O1 $(kernel_math)  # -O2 takes a third longer to compil
 tool_flags := $(common) -O1 $(kernel_math)  # nothing hot in there; the run library includes headers of the kernel
 link_flags := $(sanitizers)
 
-# What the program of a case and the tests are told: the case, and where things lie.
-program_defines = -DFIXDEM_CASE=$(1) -DFIXDEM_CASE_HEADER='"cases/$(2).hpp"'
-test_defines := -DFIXDEM_CASEGEN='"$(abspath $(build)/casegen)"' -DFIXDEM_CASES_DIR='"$(abspath cases)"' \
-                -DFIXDEM_SCRATCH='"$(abspath $(build)/scratch)"' -DFIXDEM_BIN_DIR='"$(abspath $(build)/bin)"' \
-                -DFIXDEM_GOLDEN='"$(abspath tests/golden/states.txt)"' -DFIXDEM_GOLDEN_PRECISIONS='"$(golden_precisions)"'
-
 # Precisions beside its own in which the final state of every shipped case is pinned (tests/golden_test.cpp).
 golden_precisions := mixed
 # Those whose programs make builds in them: a program takes 5 s to compile, and each kind of contact is in one of these.
 golden_cases := collide_pair oblique_wall pipe_bed plug_u24
+
+# What the program of a case and the tests are told: the case, and where things lie.
+program_defines = -DFIXDEM_CASE=$(1) -DFIXDEM_CASE_HEADER='"cases/$(2).hpp"'
+test_defines := -DFIXDEM_CASEGEN='"$(abspath $(build)/casegen)"' -DFIXDEM_CASES_DIR='"$(abspath cases)"' \
+                -DFIXDEM_SCRATCH='"$(abspath $(build)/scratch)"' -DFIXDEM_BIN_DIR='"$(abspath $(build)/bin)"' \
+                -DFIXDEM_GOLDEN='"$(abspath tests/golden/states.txt)"' -DFIXDEM_GOLDEN_PRECISIONS='"$(golden_precisions)"' \
+                -DFIXDEM_GOLDEN_CASES='"$(golden_cases)"'
