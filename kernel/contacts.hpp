@@ -70,7 +70,7 @@ struct PairBatches {
   [[no_unique_address]] detail::HistoryBatches<Case, batches, history_size> history;
   std::uint16_t touching[batches];  ///< sparse ranges: a bit for each lane that touched in the last step
   int count[ranges];    ///< pairs in each range; the last batch is filled up with copies that are masked out
-  bool sparse[ranges];  ///< so few of them touch that those are looked up first (contact_loop.hpp)
+  bool sparse[ranges];  ///< so few of them touch that those are looked up first (sparse_contacts.hpp)
 };
 
 /// Where the two sides of a range of pairs start, and the shift of the partner along z.

@@ -12,7 +12,7 @@
 
 namespace fixdem {
 
-/// Share of touching pairs below which a range counts as sparse (pair_contacts.hpp).
+/// Share of touching pairs below which a range counts as sparse (sparse_contacts.hpp).
 inline constexpr double sparse_below = 0.5;
 
 /// Room for what one listing needs for its duration.

@@ -5,7 +5,7 @@
 // distance follow in floats without cancellation, overlap = (d^2 - q^2) / (d + q).
 #pragma once
 
-#include "contact_loop.hpp"
+#include "sparse_contacts.hpp"
 
 namespace fixdem {
 

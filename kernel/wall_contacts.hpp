@@ -6,7 +6,7 @@
 // overlap with an end are formed in double and narrowed.
 #pragma once
 
-#include "contact_loop.hpp"
+#include "sparse_contacts.hpp"
 
 namespace fixdem {
 
