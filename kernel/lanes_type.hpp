@@ -11,7 +11,12 @@
 
 /// Everything between loads and stores of the hot loop must be inlined, or lanes travel through memory: gcc 12 left the
 /// law of a batch a function of its own, which cost a quarter of the time of a step.
+/// Under a sanitizer speed does not matter, and a test file would take minutes to compile.
+#if defined(__SANITIZE_ADDRESS__)
+#define FIXDEM_INLINE inline
+#else
 #define FIXDEM_INLINE inline __attribute__((always_inline))
+#endif
 
 /// Doubles in the widest register of the build.
 #if (defined(__AVX512F__) && defined(__AVX512DQ__)) || (FIXDEM_LANES + 0 == 8 && defined(__AVX2__) && defined(__FMA__))
