@@ -6,7 +6,7 @@
 //   status = simulation.run(100000);
 //
 // A case is a struct of constants, generated from a case file by tools/casegen (kernel/case.hpp says what is in it).
-// The object is large (about 1.2 kB per particle) and belongs in static storage. No call allocates, throws or prints.
+// The object is large (0.5 to 1 kB per particle) and belongs in static storage. No call allocates, throws or prints.
 // Results are the same bytes for the same case, lane width and compiler notwithstanding.
 #pragma once
 
