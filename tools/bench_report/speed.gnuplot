@@ -10,7 +10,7 @@ set pointsize 1.2
 set ylabel 'core cycles per particle-step'
 set multiplot layout 1,2
 
-set offsets 0, 0, graph 0.5, 0  # room for the key
+set offsets 0, 0, graph 2.0, 0  # room for the key
 set title 'whole steps'
 set logscale x
 set xrange [100:2000000]
