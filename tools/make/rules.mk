@@ -97,10 +97,11 @@ $(build)/tests: $(test_objects) $(run_objects)
 
 # The scenes that must be identical, once for each instruction set: `native` as programs are compiled, the others at a
 # lower level of optimisation, which must not matter either. Those of `make test` need no other compiler and run on any
-# machine of the kind; `make identical` adds the rest.
+# machine of the kind; `make identical` adds the rest. They are never built with sanitizers.
 is_x86 := $(filter x86_64 amd64,$(machine))
-identical_tested := native scalar lanes2 $(if $(is_x86),x86-64)
-identical_all := $(identical_tested) $(if $(is_x86),x86-64-v3 x86-64-v4 $(if $(filter Linux,$(shell uname -s)),aarch64))
+identical_of_any := native scalar lanes2 $(if $(is_x86),x86-64)
+identical_tested := $(if $(SAN),,$(identical_of_any))
+identical_all := $(identical_of_any) $(if $(is_x86),x86-64-v3 x86-64-v4 $(if $(filter Linux,$(shell uname -s)),aarch64))
 cross_compiler := aarch64-linux-gnu-g++
 .PHONY: build-identical build-identical-tested
 build-identical: $(identical_all:%=$(build)/identical/%)
