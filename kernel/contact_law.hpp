@@ -57,26 +57,31 @@ struct ContactForce {
   V sliding_work{};   ///< scaled force times displacement
 };
 
-/// Stiffness and damping from the overlap [m]; zero where there is none.
+/// What the springs follow from: the repulsion, and the root of the overlap (linear law: one where there is overlap).
+template <class V>
+struct SpringBase {
+  V repulsion, root;
+};
+
+/// From the overlap [m]; zero where there is none.
 template <class Law, class Case, class V>
-FIXDEM_INLINE Springs<V> springs(V overlap) {
+FIXDEM_INLINE SpringBase<V> spring_base(V overlap) {
   if constexpr (Derived<Case>::is_hertz) {
     const V root = sqrt(overlap);
-    return {constant<V>(Law::stiffness) * overlap * root, constant<V>(Law::damping) * sqrt(root),
-            constant<V>(Law::tangential_stiffness) * root};
+    return {constant<V>(Law::stiffness) * overlap * root, root};
   } else {
-    const auto touching = overlap > V{};
-    return {constant<V>(Law::stiffness) * overlap, keep(touching, splat<V>(Law::damping)),
-            keep(touching, splat<V>(Law::tangential_stiffness))};
+    return {constant<V>(Law::stiffness) * overlap, keep(overlap > V{}, splat<V>(1.0))};
   }
 }
 
-/// The kept vector in the present tangent plane: projected, and brought back to its old length.
-template <class V, class Normal>
-FIXDEM_INLINE Vec3<V> turn_to_tangent_plane(const Vec3<V>& kept, const Normal& n) {
-  const Vec3<V> projected = subtract_scaled(kept, dot(kept, n), n);
-  const V old_square = dot(kept, kept), new_square = dot(projected, projected);
-  return scale(select(new_square > V{}, sqrt(old_square / new_square), V{}), projected);
+/// Stiffness and damping; zero where there is no overlap.
+template <class Law, class Case, class V>
+FIXDEM_INLINE Springs<V> springs(const SpringBase<V>& base) {
+  const V root = base.root;
+  if constexpr (Derived<Case>::is_hertz)
+    return {base.repulsion, constant<V>(Law::damping) * sqrt(root), constant<V>(Law::tangential_stiffness) * root};
+  else
+    return {base.repulsion, constant<V>(Law::damping) * root, constant<V>(Law::tangential_stiffness) * root};
 }
 
 /// Square of the share out of the tangent plane from which turning counts: it then shortens the kept vector by more
@@ -115,7 +120,7 @@ FIXDEM_INLINE TangentialSpring<V> tangential_spring(const Springs<V>& k, Mask to
   return s;
 }
 
-/// Tangential force of eqs. (7)-(12) in full: kept vector turned, spring loaded by the slip, slider.
+/// Tangential force of eqs. (7)-(12) where the slider may act.
 template <class V>
 struct Tangential {
   Vec3<V> force;   ///< scaled, on the owner
@@ -123,11 +128,11 @@ struct Tangential {
   V damping_power, sliding_work;
 };
 
-template <class Case, class V, class Normal>
-FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const Vec3<V>& kept, const Normal& n,
-                                             const Vec3<V>& slip, V limit) {
+/// `trial`: the kept vector, turned into the tangent plane and loaded by the slip, as if the contact stuck.
+template <class Case, class V>
+FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const Vec3<V>& trial, const Vec3<V>& slip,
+                                             V limit) {
   Tangential<V> t{};
-  const Vec3<V> trial = add_scaled(scale(s.ratio, turn_to_tangent_plane(kept, n)), s.gain, slip);
   if constexpr (Case::slider == Slider::clip) {
     t.spring = capped(trial, s.to_force * s.to_force * dot(trial, trial), limit);
     const Vec3<V> total = add_scaled(scale(-s.damping, slip), -s.to_force, t.spring);
@@ -166,9 +171,9 @@ enum class SlidingLanes { computed, left };
 /// (the same with `euler`, predicted half a step ahead with `leapfrog`).
 ///
 /// Where a contact sticks, the whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since u = (u.n) n + v_s
-/// and both dampings share eta. Lanes that slide compute eqs. (7)-(12) in full. Projection shortens the kept vector h
-/// by the factor sqrt(1 - q), q = (h.n)^2 / h^2; where that is more than half a unit in the last place, its inverse is
-/// made up for by a series, good to 3e-17 up to `greatest_turn`, and beyond by a root.
+/// and both dampings share eta; where it slides, delta_t is where the slider starts. Projection shortens the kept
+/// vector h by the factor sqrt(1 - q), q = (h.n)^2 / h^2; where that is more than half a unit in the last place, its
+/// inverse is made up for by a series, good to 3e-17 up to `greatest_turn`, and beyond by a root.
 ///
 /// With `left`, a batch of which any lane slides or turns sets `is_done` to false, and nothing else of the result
 /// counts: without that code and what it needs, the short way keeps its numbers in registers.
@@ -227,8 +232,7 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
       is_done = !any(slides | turns);
     } else if (any(slides)) {
       const Vec3<V> slip = subtract_scaled(u, normal_velocity, n);
-      const Tangential<V> t =
-          tangential_force<Case>(s, history.spring, n, slip, constant<V>(Case::friction) * abs(normal_force));
+      const Tangential<V> t = tangential_force<Case>(s, spring, slip, constant<V>(Case::friction) * abs(normal_force));
       force = select(slides, subtract_scaled(t.force, normal_force, n), force);
       spring = select(slides, t.spring, spring);
       if constexpr (Case::energy_ledger) {

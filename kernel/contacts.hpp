@@ -69,8 +69,8 @@ struct PairBatches {
   alignas(64) typename Rows<Case>::Offset partner[batches][Cap::batch];
   [[no_unique_address]] detail::HistoryBatches<Case, batches, history_size> history;
   std::uint16_t touching[batches];  ///< sparse ranges: a bit for each lane that touched in the last step
-  int count[ranges];    ///< pairs in each range; the last batch is filled up with copies that are masked out
-  bool sparse[ranges];  ///< so few of them touch that those are looked up first (sparse_contacts.hpp)
+  int count[ranges];                ///< pairs in each range; the last batch is filled up with copies of its last pair
+  bool sparse[ranges];              ///< so few of them touch that those are looked up first (sparse_contacts.hpp)
 };
 
 /// Where the two sides of a range of pairs start, and the shift of the partner along z.

@@ -33,7 +33,8 @@ struct ListingScratch {
 
 namespace detail {
 
-/// Fills the lanes behind the last contact of a range with copies of the last one, history zero; they are masked out.
+/// Fills the lanes behind the last contact of a range with copies of the last one, history zero. Nobody sums their
+/// rows.
 template <class Case, int Size, class Batches>
 void fill_last_batch(Batches& batches, int first_batch, int contacts) {
   for (int k = contacts; k % Capacity<Case>::batch != 0; ++k) {

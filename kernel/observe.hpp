@@ -52,7 +52,7 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
                                int lane) {
   using Law = ContactLaw<Case, is_wall>;
   constexpr double to_newton = 1 / Law::scale;
-  const Springs<double> k = springs<Law, Case>(overlap);
+  const Springs<double> k = springs<Law, Case>(spring_base<Law, Case>(overlap));
   const Vec3<double> surface = add_cross(motion.velocity, motion.spin, n);
   const double normal_velocity = dot(motion.velocity, n);
   Observed<Case> seen{};

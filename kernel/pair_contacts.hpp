@@ -15,8 +15,6 @@ struct PairSide {
   using R = Real<Case>;
   static constexpr double d = Case::diameter;
   static constexpr bool is_flat = false;  ///< normals have three components
-  /// Inside: the reach of a contact (double), or no limit to the gap (mixed). Outside: nothing touches.
-  static constexpr LanesUpTo<Case> limits = is_mixed<Case> ? LanesUpTo<Case>(1e30, -1) : LanesUpTo<Case>(d, -1e300);
 
   const double *owner_position, *partner_position;
   const R *owner_motion, *partner_motion;
@@ -57,18 +55,26 @@ struct PairSide {
       return s.measure < d * d;
   }
 
+  static constexpr bool has_root = true, needs_measure = is_mixed<Case>;
+  /// Distance.
+  template <class V>
+  FIXDEM_INLINE V root(V measure) const {
+    if constexpr (is_mixed<Case>)
+      return sqrt(constant<V>(d * d) - measure);
+    else
+      return sqrt(measure);
+  }
   /// Overlap, zero in lanes without contact, and normal.
   template <class V>
-  FIXDEM_INLINE V resolve(const Separation<V>& s, V limit, Vec3<V>& n) const {
+  FIXDEM_INLINE V resolve(const Separation<V>& s, V distance, Vec3<V>& n) const {
     if constexpr (is_mixed<Case>) {
-      const V distance = sqrt(constant<V>(d * d) - s.measure), sum = distance + constant<V>(d);
+      const V sum = distance + constant<V>(d);
       const V inverse = constant<V>(1) / (distance * sum);
       n = scale(inverse * sum, s.way);
-      return max((s.measure < limit ? s.measure : limit) * inverse * distance, V{});
+      return max(s.measure * inverse * distance, V{});
     } else {
-      const V distance = sqrt(s.measure);
       n = scale(1.0 / distance, s.way);
-      return max(limit - distance, V{});
+      return max(splat<V>(d) - distance, V{});
     }
   }
 

@@ -14,6 +14,7 @@ namespace fixdem {
 template <class Case>
 struct PipeSurface {
   static constexpr bool is_flat = true;  ///< normals have no component along the pipe
+  static constexpr bool has_root = true;
   static constexpr double reach = Derived<Case>::pipe_radius - Derived<Case>::radius;
 
   template <class V>
@@ -30,13 +31,18 @@ struct PipeSurface {
   }
   /// On the axis there is no normal, and no contact.
   template <class V>
-  static FIXDEM_INLINE V resolve(const Separation<V>& s, Vec3<V>& n) {
+  static FIXDEM_INLINE V root(V measure) {
+    if constexpr (is_mixed<Case>)
+      return sqrt(max(measure + constant<V>(reach * reach), V{}));
+    else
+      return sqrt(measure);
+  }
+  template <class V>
+  static FIXDEM_INLINE V resolve(const Separation<V>& s, V q, Vec3<V>& n) {
     if constexpr (is_mixed<Case>) {
-      const V q = sqrt(max(s.measure + constant<V>(reach * reach), V{}));
       n = scale(constant<V>(1) / max(q, splat<V>(1e-30)), s.way);
       return s.measure / (q + constant<V>(reach));
     } else {
-      const V q = sqrt(s.measure);
       n = scale(1.0 / max(q, splat<V>(1e-300)), s.way);
       return q - reach;
     }
@@ -46,7 +52,7 @@ struct PipeSurface {
 /// Measure: the overlap itself; the way is along z.
 template <class Case>
 struct EndSurfaces {
-  static constexpr bool is_flat = false;
+  static constexpr bool is_flat = false, has_root = false;
   template <class V>
   static FIXDEM_INLINE Separation<V> separation(const Vec3<V>& x) {
     const auto at_start = x.z < 0.5 * Case::pipe_length;
@@ -58,7 +64,7 @@ struct EndSurfaces {
     return measure > V{};
   }
   template <class V>
-  static FIXDEM_INLINE V resolve(const Separation<V>& s, Vec3<V>& n) {
+  static FIXDEM_INLINE V resolve(const Separation<V>& s, V, Vec3<V>& n) {
     n = s.way;
     return s.measure;
   }
@@ -68,9 +74,8 @@ template <class Case, class Surface>
 struct WallSide {
   using Law = ContactLaw<Case, true>;
   using R = Real<Case>;
-  static constexpr bool is_flat = Surface::is_flat;
-  /// Taken off the overlap: nothing inside, more than any overlap outside.
-  static constexpr LanesUpTo<Case> limits{0.0, 1e30};
+  static constexpr bool is_flat = Surface::is_flat, has_root = Surface::has_root;
+  static constexpr bool needs_measure = is_mixed<Case> || !has_root;
 
   const double* position;
   const R* moving;
@@ -98,8 +103,12 @@ struct WallSide {
     return Surface::touches(s.measure);
   }
   template <class V>
-  FIXDEM_INLINE V resolve(const Separation<V>& s, V limit, Vec3<V>& n) const {
-    return max(Surface::resolve(s, n) - limit, V{});
+  FIXDEM_INLINE V root(V measure) const {
+    return Surface::root(measure);
+  }
+  template <class V>
+  FIXDEM_INLINE V resolve(const Separation<V>& s, V root, Vec3<V>& n) const {
+    return max(Surface::resolve(s, root, n), V{});
   }
   template <int W, class Offset>
   FIXDEM_INLINE Motion<Lanes<W, R>> motion(const Offset* owner, const Offset*) const {

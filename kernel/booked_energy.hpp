@@ -1,0 +1,55 @@
+// Energies that contacts dissipate, summed while the contact loop runs; nothing in a case without ledger.
+//
+// Per lane of a batch, in double always, so that the sums do not depend on how many lanes the machine has. Lanes behind
+// the last contact of a range repeat that contact (listing.hpp): the ledger is the only one that must not see them.
+#pragma once
+
+#include "contact_law.hpp"
+#include "contacts.hpp"
+#include "watch.hpp"
+
+namespace fixdem {
+
+template <class Case, int W, bool present = Case::energy_ledger>
+struct BookedEnergy {
+  static constexpr int lanes = Capacity<Case>::batch, doubles = is_mixed<Case> && W > 1 ? W / 2 : W;
+  Partials<doubles, lanes> damping_power, sliding_work;
+  FIXDEM_INLINE explicit BookedEnergy(const Watch<Case>& watch)
+      : damping_power(watch.ledger.damping_power), sliding_work(watch.ledger.sliding_work) {}
+  FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
+    damping_power.put_back(watch.ledger.damping_power);
+    sliding_work.put_back(watch.ledger.sliding_work);
+  }
+  /// Of W contacts from `lane` of their batch on, the first `valid`: lanes behind the last contact of a range repeat
+  /// it.
+  template <class V>
+  FIXDEM_INLINE void book(int lane, int valid, const ContactForce<V>& f) {
+    const auto counts = load<V>(lane_numbers) < splat<V>(valid);
+    add(damping_power, lane, keep(counts, f.damping_power));
+    add(sliding_work, lane, keep(counts, f.sliding_work));
+  }
+
+ private:
+  alignas(64) static constexpr Real<Case> lane_numbers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
+  template <class V>
+  static FIXDEM_INLINE void add(Partials<doubles, lanes>& sums, int lane, V value) {
+    if constexpr (is_mixed<Case>) {
+      alignas(64) float values[W];
+      store(values, value);
+      for (int k = 0; k < W; k += doubles)
+        sums.part[(lane + k) / doubles] = sums.part[(lane + k) / doubles] + load_wide<doubles>(values + k);
+    } else {
+      sums.part[lane / W] = sums.part[lane / W] + value;
+    }
+  }
+};
+template <class Case, int W>
+struct BookedEnergy<Case, W, false> {
+  FIXDEM_INLINE explicit BookedEnergy(const Watch<Case>&) {}
+  FIXDEM_INLINE void put_back(Watch<Case>&) const {}
+  template <class V>
+  FIXDEM_INLINE void book(int, int, const ContactForce<V>&) {}
+};
+
+}  // namespace fixdem
