@@ -28,7 +28,7 @@ class PackedContacts {
   using V = Lanes<W, T>;
 
  public:
-  static constexpr int most_batches = 12;  // 21 kB: within any first-level cache
+  static constexpr int most_batches = 12;  // 24 kB: within any first-level cache
 
   static constexpr int samples = 8;  ///< disjoint choices of contacts: few slide, and those make their batch slow
 
@@ -53,11 +53,8 @@ class PackedContacts {
   int count() const { return lanes * (pair_batches_ + wall_batches_); }
 
   void pass() {
-    const int pairs = pair_batches_, all = pair_batches_ + wall_batches_;
-    for (int b = 0; b < pairs; ++b) geometry(pair_, batch_[b]);
-    for (int b = pairs; b < all; ++b) geometry(wall_, batch_[b]);
-    for (int b = 0; b < pairs; ++b) law<typename Pair::Law>(batch_[b]);
-    for (int b = pairs; b < all; ++b) law<typename Wall::Law>(batch_[b]);
+    stages(pair_, 0, lanes * pair_batches_);
+    stages(wall_, lanes * pair_batches_, count());
     benchmark::ClobberMemory();
   }
 
@@ -78,7 +75,8 @@ class PackedContacts {
   struct Batch {
     alignas(64) double between[3][lanes];  ///< centre of the owner to that of its partner, or from the axis; m
     alignas(64) T velocity[3][lanes], spin[3][lanes], history[3][lanes];
-    alignas(64) T normal[3][lanes], repulsion[lanes], damping[lanes], tangential_stiffness[lanes];  ///< of first stage
+    alignas(64) T way[3][lanes], measure[lanes], root[lanes];               ///< of the first stage
+    alignas(64) T normal[3][lanes], repulsion[lanes], overlap_root[lanes];  ///< of the second
     alignas(64) T force[3][lanes], torque[3][lanes], new_history[3][lanes];
   };
 
@@ -119,44 +117,65 @@ class PackedContacts {
     store(a[2] + lane, v.z);
   }
 
-  /// First stage: overlap, normal and springs; the same split and arithmetic as in the kernel, because the roots of one
-  /// contact would otherwise delay its law.
+  /// The stages of the kernel, interleaved as there: otherwise the roots of a contact would delay its law.
   template <class Side>
-  static FIXDEM_INLINE void geometry(const Side& side, Batch& batch) {
-    for (int lane = 0; lane < lanes; lane += W) {
-      const auto part = [&](auto width, int first) FIXDEM_INLINE_LAMBDA {
-        using Doubles = Lanes<decltype(width)::value>;
-        const int at = lane + first;
-        const Vec3<Doubles> r = {load<Doubles>(batch.between[0] + at), load<Doubles>(batch.between[1] + at),
-                                 load<Doubles>(batch.between[2] + at)};
-        if constexpr (std::is_same_v<Side, Wall>) {
-          return PipeSurface<Case>::separation(r);
-        } else {
-          const Doubles square = dot(r, r);
-          return Separation<Doubles>{r, is_mixed<Case> ? Case::diameter * Case::diameter - square : square};
-        }
-      };
-      Separation<V> separation;
-      if constexpr (is_mixed<Case>)
-        separation = narrowed<W>(part);
-      else
-        separation = part(std::integral_constant<int, W>{}, 0);
-      Vec3<V> n;
-      const V overlap = side.resolve(separation, load_any<V>(Side::limits.of(lanes)), n);
-      const Springs<V> k = springs<typename Side::Law, Case>(overlap);
-      store_vector(batch.normal, lane, n);
-      store(batch.repulsion + lane, k.repulsion);
-      store(batch.damping + lane, k.damping);
-      store(batch.tangential_stiffness + lane, k.tangential_stiffness);
+  void stages(const Side& side, int first, int end) {
+    const auto separate = [&](int k) FIXDEM_INLINE_LAMBDA {
+      if (k < end) separation(side, batch_[k / lanes], k % lanes);
+    };
+    const auto resolve = [&](int k) FIXDEM_INLINE_LAMBDA {
+      if (k < end) geometry(side, batch_[k / lanes], k % lanes);
+    };
+    separate(first);
+    separate(first + W);
+    resolve(first);
+    for (int k = first; k < end; k += W) {
+      resolve(k + W);
+      separate(k + 2 * W);
+      law<typename Side::Law>(batch_[k / lanes], k % lanes);
     }
   }
 
-  /// Second stage of W contacts. As in the kernel, lanes that slide or turn are left to a function of their own.
+  template <class Side>
+  static FIXDEM_INLINE void separation(const Side& side, Batch& batch, int lane) {
+    const auto part = [&](auto width, int first) FIXDEM_INLINE_LAMBDA {
+      using Doubles = Lanes<decltype(width)::value>;
+      const int at = lane + first;
+      const Vec3<Doubles> r = {load<Doubles>(batch.between[0] + at), load<Doubles>(batch.between[1] + at),
+                               load<Doubles>(batch.between[2] + at)};
+      if constexpr (std::is_same_v<Side, Wall>) {
+        return PipeSurface<Case>::separation(r);
+      } else {
+        const Doubles square = dot(r, r);
+        return Separation<Doubles>{r, is_mixed<Case> ? Case::diameter * Case::diameter - square : square};
+      }
+    };
+    Separation<V> s;
+    if constexpr (is_mixed<Case>)
+      s = narrowed<W>(part);
+    else
+      s = part(std::integral_constant<int, W>{}, 0);
+    store_vector(batch.way, lane, s.way);
+    store(batch.measure + lane, s.measure);
+    store(batch.root + lane, side.root(s.measure));
+  }
+
+  template <class Side>
+  static FIXDEM_INLINE void geometry(const Side& side, Batch& batch, int lane) {
+    Vec3<V> n;
+    const Separation<V> s{load_vector(batch.way, lane), load<V>(batch.measure + lane)};
+    const SpringBase<V> base = spring_base<typename Side::Law, Case>(side.resolve(s, load<V>(batch.root + lane), n));
+    store_vector(batch.normal, lane, n);
+    store(batch.repulsion + lane, base.repulsion);
+    store(batch.overlap_root + lane, base.root);
+  }
+
+  /// Third stage of W contacts. As in the kernel, lanes that slide or turn are left to a function of their own.
   template <class Law, SlidingLanes mode>
   static FIXDEM_INLINE bool law_of_lanes(Batch& batch, int lane) {
     const Vec3<V> n = load_vector(batch.normal, lane), velocity = load_vector(batch.velocity, lane);
-    const Springs<V> k = {load<V>(batch.repulsion + lane), load<V>(batch.damping + lane),
-                          load<V>(batch.tangential_stiffness + lane)};
+    const Springs<V> k =
+        springs<Law, Case>(SpringBase<V>{load<V>(batch.repulsion + lane), load<V>(batch.overlap_root + lane)});
     const V normal_velocity = dot(velocity, n);
     History<V> history{load_vector(batch.history, lane), k.tangential_stiffness};
     const Vec3<V> surface_velocity = add_cross(velocity, load_vector(batch.spin, lane), n);
@@ -176,9 +195,8 @@ class PackedContacts {
     law_of_lanes<Law, SlidingLanes::computed>(batch, lane);
   }
   template <class Law>
-  static FIXDEM_INLINE void law(Batch& batch) {
-    for (int lane = 0; lane < lanes; lane += W)
-      if (!law_of_lanes<Law, SlidingLanes::left>(batch, lane)) law_of_sliding_lanes<Law>(batch, lane);
+  static FIXDEM_INLINE void law(Batch& batch, int lane) {
+    if (!law_of_lanes<Law, SlidingLanes::left>(batch, lane)) law_of_sliding_lanes<Law>(batch, lane);
   }
 
   Pair pair_;  // formulas of the kernel; their particles are not looked at
