@@ -18,14 +18,16 @@ enum class NormalLaw { hertz, linear };
 /// What of the tangential spring is remembered: its displacement (eq. 7), its force, or its force rescaled on
 /// unloading.
 enum class TangentialLaw { displacement, force, rescale };
-/// Coulomb slider: `clip` caps the spring, then the total; `paper` is eqs. (10)-(12) to the letter.
-enum class Slider { clip, paper };
+/// Coulomb slider: `clip` caps the spring, then the total; `exact` does the same, but turns the spring by the solution
+/// of its motion (exact_slider.hpp); `paper` is eqs. (10)-(12) to the letter.
+enum class Slider { clip, paper, exact };
 /// Damping coefficient from the restitution (eq. 26 or its linear form), or critical (eq. 23; linear law only).
 enum class Damping { restitution, critical };
 /// Mass in eq. (26) between spheres: the reduced mass m/2 (restitution as asked), or m as the paper prints it.
 enum class DampingMass { reduced, particle };
 enum class Ends { periodic, closed };
-enum class Integrator { euler, leapfrog };
+/// Semi-implicit Euler; leapfrog; or leapfrog with contact impulses integrated along the step (impulse_law.hpp).
+enum class Integrator { euler, leapfrog, impulse };
 /// `mixed_precision`: state, position differences and gaps in double, contact arithmetic and history in float.
 enum class Precision { double_precision, mixed_precision };
 /// How the height of the bed counts against the pipe when almost full (kernel/gas_slices.hpp).
@@ -103,6 +105,13 @@ struct Derived {
   static constexpr double slice_length = Case::pipe_length / Case::slice_count;
 };
 
+/// Positions are held half a step ahead of velocities.
+template <class Case>
+inline constexpr bool holds_positions_ahead = Case::integrator != Integrator::euler;
+
+template <class Case>
+inline constexpr bool takes_impulses = Case::integrator == Integrator::impulse;
+
 template <class Case>
 inline constexpr bool is_mixed = Case::precision == Precision::mixed_precision;
 
@@ -178,6 +187,9 @@ struct Checked {
                 "fixdem: normal = \"linear\" needs [contact] normal_stiffness and tangential_stiffness above 0");
   static_assert(Case::damping != Damping::critical || Case::normal == NormalLaw::linear,
                 "fixdem: damping = \"critical\" belongs to normal = \"linear\"; with \"hertz\" use \"restitution\"");
+  static_assert(Case::integrator != Integrator::impulse || Case::slider != Slider::paper,
+                "fixdem: integrator = \"impulse\" needs slider = \"exact\" or \"clip\": with \"paper\" impacts do not "
+                "converge, so nothing would be gained");
   static_assert(Case::ends != Ends::periodic || Case::pipe_length >= 4 * Case::diameter,
                 "fixdem: a periodic pipe must be at least 4 particle diameters long: raise [pipe] length");
   static_assert(Case::ends != Ends::closed || Case::pipe_length >= 2 * Case::diameter,

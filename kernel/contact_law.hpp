@@ -14,7 +14,7 @@
 #pragma once
 
 #include "case.hpp"
-#include "lanes.hpp"
+#include "exact_slider.hpp"
 
 namespace fixdem {
 
@@ -23,6 +23,7 @@ template <class Case, bool is_wall>
 struct ContactLaw {
   using D = Derived<Case>;
   static constexpr double scale = Case::time_step / D::mass;
+  static constexpr double bodies = is_wall ? 1 : 2;  ///< that the force moves
   static constexpr double stiffness = scale * (is_wall ? D::stiffness_wall : D::stiffness_pair);
   static constexpr double tangential_stiffness =
       scale * (is_wall ? D::tangential_stiffness_wall : D::tangential_stiffness_pair);
@@ -30,9 +31,19 @@ struct ContactLaw {
   static constexpr double tangential_damping =
       scale * (is_wall ? D::tangential_damping_wall : D::tangential_damping_pair);
 
-  /// Numbers kept per contact and lane: none without friction; the vector; with `rescale` also the last k_t.
-  static constexpr int history_size = !D::has_friction ? 0 : (Case::tangential == TangentialLaw::rescale ? 4 : 3);
+  /// Numbers kept per contact and lane, and their places. With friction: the vector of the spring; with `impulse` that
+  /// of the last surface velocity; with `rescale` the last k_t; with `exact` the last limit of the spring. With
+  /// `impulse`, friction or not, the last value of the damping's state function.
+  static constexpr int history_vectors = !D::has_friction ? 0 : (takes_impulses<Case> ? 2 : 1);
+  static constexpr int state_function_place = 3 * history_vectors;
+  static constexpr int stiffness_place = state_function_place + (takes_impulses<Case> ? 1 : 0);
+  static constexpr int limit_place =
+      stiffness_place + (D::has_friction && Case::tangential == TangentialLaw::rescale ? 1 : 0);
+  static constexpr int history_size = limit_place + (D::has_friction && Case::slider == Slider::exact ? 1 : 0);
 };
+
+template <class Case>
+inline constexpr bool keeps_history = ContactLaw<Case, false>::history_size > 0;
 
 /// Stiffness and damping of a contact at its present overlap.
 template <class V>
@@ -47,6 +58,9 @@ template <class V>
 struct History {
   Vec3<V> spring;                 ///< tangential displacement, or scaled spring force
   V last_tangential_stiffness{};  ///< `rescale` only
+  V last_limit{};                 ///< `exact` only: greatest length of the spring in the last step if it slid, or zero
+  Vec3<V> last_velocity{};        ///< `impulse` only: surface velocity in the last step, m/s
+  V state_function{};             ///< `impulse` only: of the damping at the end of the last step
 };
 
 /// Scaled force on the owner, and what it dissipated in this step (only computed when the case keeps a ledger).
@@ -125,16 +139,26 @@ template <class V>
 struct Tangential {
   Vec3<V> force;   ///< scaled, on the owner
   Vec3<V> spring;  ///< new history
+  V last_limit;    ///< `exact` only
   V damping_power, sliding_work;
 };
 
-/// `trial`: the kept vector, turned into the tangent plane and loaded by the slip, as if the contact stuck.
+/// `trial`: the kept vector, turned into the tangent plane and loaded by the slip, as if the contact stuck. `load`:
+/// slip that has loaded it; `slip`: that the damping sees (the same but with impulses).
 template <class Case, class V>
-FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const Vec3<V>& trial, const Vec3<V>& slip,
-                                             V limit) {
+FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const Vec3<V>& trial, const Vec3<V>& load,
+                                             const Vec3<V>& slip, [[maybe_unused]] V last_limit, V limit) {
   Tangential<V> t{};
-  if constexpr (Case::slider == Slider::clip) {
-    t.spring = capped(trial, s.to_force * s.to_force * dot(trial, trial), limit);
+  if constexpr (Case::slider != Slider::paper) {
+    if constexpr (Case::slider == Slider::exact) {
+      const V length = limit / s.to_force;
+      const auto slides = dot(trial, trial) > length * length;
+      const Vec3<V> way = scale(s.gain, load), kept = {trial.x - way.x, trial.y - way.y, trial.z - way.z};
+      t.spring = select(slides, exact_return(kept, way, last_limit, length), trial);
+      t.last_limit = keep(slides, length);
+    } else {
+      t.spring = capped(trial, s.to_force * s.to_force * dot(trial, trial), limit);
+    }
     const Vec3<V> total = add_scaled(scale(-s.damping, slip), -s.to_force, t.spring);
     t.force = capped(total, dot(total, total), limit);
   } else {
@@ -166,14 +190,60 @@ inline constexpr double greatest_turn = 1e-4;
 /// repeated.
 enum class SlidingLanes { computed, left };
 
+/// The spring of a contact that sticks.
+template <class V, class Mask>
+struct StuckSpring {
+  Vec3<V> spring;
+  Mask turns;  ///< lanes in which turning has shortened it, or would have
+};
+
+/// The kept vector projected on the tangent plane and grown by `gain` times the slip. Projection shortens the kept
+/// vector h by the factor sqrt(1 - q), q = (h.n)^2 / h^2; where that is more than half a unit in the last place, its
+/// inverse is made up for by a series, good to 3e-17 up to `greatest_turn`, and beyond by a root; with `left` it is
+/// not.
+template <class Case, SlidingLanes mode, class V, class Normal, class Mask>
+FIXDEM_INLINE StuckSpring<V, Mask> stuck_spring(const TangentialSpring<V>& s, V gain, const Vec3<V>& kept,
+                                                const Normal& n, const Vec3<V>& u, V normal_velocity, Mask touching) {
+  const V out_of_plane = dot(kept, n);
+  Vec3<V> spring;
+  if constexpr (Case::tangential == TangentialLaw::displacement) {
+    spring = add_scaled(kept, gain, u);
+    spring = subtract_scaled(spring, fused(gain, normal_velocity, out_of_plane), n);
+  } else {
+    spring = scale(s.ratio, subtract_scaled(kept, out_of_plane, n));
+    spring = subtract_scaled(add_scaled(spring, gain, u), gain * normal_velocity, n);
+  }
+  const V turn = out_of_plane * out_of_plane;
+  const Mask turns = (turn > constant<V>(turning_square<V>) * dot(spring, spring)) & touching;
+  if constexpr (mode == SlidingLanes::computed) {
+    if (any(turns)) {
+      const V square = dot(kept, kept);
+      const V q = turn / max(square, splat<V>(least_square<V>));
+      V longer = q * fused(q, fused(q, splat<V>(0.3125), splat<V>(0.375)), splat<V>(0.5));
+      if (const auto by_far = q > constant<V>(greatest_turn); any(by_far & turns))
+        longer =
+            select(by_far, constant<V>(1) / sqrt(max(constant<V>(1) - q, splat<V>(1e-6))) - constant<V>(1), longer);
+      spring = add_scaled(spring, s.ratio * keep(turns, longer), subtract_scaled(kept, out_of_plane, n));
+    }
+  }
+  return {spring, turns};
+}
+
+/// Whether the whole force, or the spring alone, is beyond Coulomb's bound.
+template <class Case, class V>
+FIXDEM_INLINE auto exceeds_friction(const Vec3<V>& force, V to_force, const Vec3<V>& spring, V normal_force) {
+  constexpr double mu_square = Case::friction * Case::friction;
+  const V normal_square = normal_force * normal_force;
+  return (dot(force, force) > constant<V>(1 + mu_square) * normal_square) |
+         (to_force * to_force * dot(spring, spring) > constant<V>(mu_square) * normal_square);
+}
+
 /// Scaled force on the owner. `n`: Vec3, or Vec2 where the normal has no component along the pipe. `surface_velocity` u
 /// = v_r + (r w_i + r w_j) x n; `normal_velocity` v_r.n; `damped_velocity`: the normal velocity that the damping sees
 /// (the same with `euler`, predicted half a step ahead with `leapfrog`).
 ///
 /// Where a contact sticks, the whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since u = (u.n) n + v_s
-/// and both dampings share eta; where it slides, delta_t is where the slider starts. Projection shortens the kept
-/// vector h by the factor sqrt(1 - q), q = (h.n)^2 / h^2; where that is more than half a unit in the last place, its
-/// inverse is made up for by a series, good to 3e-17 up to `greatest_turn`, and beyond by a root.
+/// and both dampings share eta; where it slides, delta_t is where the slider starts.
 ///
 /// With `left`, a batch of which any lane slides or turns sets `is_done` to false, and nothing else of the result
 /// counts: without that code and what it needs, the short way keeps its numbers in registers.
@@ -193,28 +263,8 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
     V along_normal = k.repulsion;  // what is left along n after eta u has taken its share
     if constexpr (Law::tangential_damping != Law::damping || Case::integrator != Integrator::euler)
       along_normal = fused_minus(s.damping, normal_velocity, normal_force);
-    const V out_of_plane = dot(history.spring, n);
-    Vec3<V> spring;
-    if constexpr (Case::tangential == TangentialLaw::displacement) {
-      spring = add_scaled(history.spring, s.gain, u);
-      spring = subtract_scaled(spring, fused(s.gain, normal_velocity, out_of_plane), n);
-    } else {
-      spring = scale(s.ratio, subtract_scaled(history.spring, out_of_plane, n));
-      spring = subtract_scaled(add_scaled(spring, s.gain, u), s.gain * normal_velocity, n);
-    }
-    const V turn = out_of_plane * out_of_plane;
-    const auto turns = (turn > constant<V>(turning_square<V>) * dot(spring, spring)) & touching;
-    if constexpr (mode == SlidingLanes::computed) {
-      if (any(turns)) {
-        const V square = dot(history.spring, history.spring);
-        const V q = turn / max(square, splat<V>(least_square<V>));
-        V longer = q * fused(q, fused(q, splat<V>(0.3125), splat<V>(0.375)), splat<V>(0.5));
-        if (const auto by_far = q > constant<V>(greatest_turn); any(by_far & turns))
-          longer =
-              select(by_far, constant<V>(1) / sqrt(max(constant<V>(1) - q, splat<V>(1e-6))) - constant<V>(1), longer);
-        spring = add_scaled(spring, s.ratio * keep(turns, longer), subtract_scaled(history.spring, out_of_plane, n));
-      }
-    }
+    const auto stuck = stuck_spring<Case, mode>(s, s.gain, history.spring, n, u, normal_velocity, touching);
+    Vec3<V> spring = stuck.spring;
     Vec3<V> force = subtract_scaled(subtract_scaled(scale(-along_normal, n), s.damping, u), s.to_force, spring);
     V damping_power{}, sliding_work{};
     if constexpr (Case::energy_ledger)
@@ -223,18 +273,17 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
           fused_minus(s.damping, normal_velocity * normal_velocity, k.damping * damped_velocity * normal_velocity));
 
     // Sliding.
-    constexpr double mu_square = Case::friction * Case::friction;
-    const V normal_square = normal_force * normal_force;
-    const auto slides = ((dot(force, force) > constant<V>(1 + mu_square) * normal_square) |
-                         (s.to_force * s.to_force * dot(spring, spring) > constant<V>(mu_square) * normal_square)) &
-                        touching;
+    const auto slides = exceeds_friction<Case>(force, s.to_force, spring, normal_force) & touching;
+    [[maybe_unused]] V last_limit{};
     if constexpr (mode == SlidingLanes::left) {
-      is_done = !any(slides | turns);
+      is_done = !any(slides | stuck.turns);
     } else if (any(slides)) {
       const Vec3<V> slip = subtract_scaled(u, normal_velocity, n);
-      const Tangential<V> t = tangential_force<Case>(s, spring, slip, constant<V>(Case::friction) * abs(normal_force));
+      const Tangential<V> t = tangential_force<Case>(s, spring, slip, slip, history.last_limit,
+                                                     constant<V>(Case::friction) * abs(normal_force));
       force = select(slides, subtract_scaled(t.force, normal_force, n), force);
       spring = select(slides, t.spring, spring);
+      if constexpr (Case::slider == Slider::exact) last_limit = keep(slides, t.last_limit);
       if constexpr (Case::energy_ledger) {
         damping_power =
             select(slides, fused(k.damping * damped_velocity, normal_velocity, t.damping_power), damping_power);
@@ -242,6 +291,7 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
       }
     }
     history.spring = {keep(touching, spring.x), keep(touching, spring.y), keep(touching, spring.z)};
+    if constexpr (Case::slider == Slider::exact) history.last_limit = last_limit;
     return {force, damping_power, sliding_work};
   }
 }

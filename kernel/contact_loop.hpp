@@ -14,6 +14,7 @@
 #pragma once
 
 #include "booked_energy.hpp"
+#include "impulse_law.hpp"
 
 namespace fixdem {
 
@@ -44,7 +45,8 @@ struct ContactGeometry {
   alignas(64) Real<Case> way[3][W];
   alignas(64) Real<Case> measure[W], root[W];
   alignas(64) Real<Case> normal[3][W];
-  alignas(64) Real<Case> repulsion[W], overlap_root[W];
+  alignas(64) Real<Case> repulsion[W],
+      overlap_root[W];  ///< with `impulse` the overlap, negative for a gap, and its root
 };
 
 namespace detail {
@@ -70,13 +72,18 @@ FIXDEM_INLINE void store_geometry(const Side& side, ContactGeometry<Case, W>& g,
   V root{};
   if constexpr (Side::has_root) root = load<V>(g.root);
   Vec3<V> n;
-  const V overlap = side.resolve(s, root, n);
-  const SpringBase<V> base = spring_base<typename Side::Law, Case>(overlap);
+  const V gap_or_overlap = side.resolve(s, root, n), overlap = max(gap_or_overlap, V{});
   store(g.normal[0], n.x);
   store(g.normal[1], n.y);
   if constexpr (!Side::is_flat) store(g.normal[2], n.z);
-  store(g.repulsion, base.repulsion);
-  store(g.overlap_root, base.root);
+  if constexpr (takes_impulses<Case>) {
+    store(g.repulsion, gap_or_overlap);
+    if constexpr (Derived<Case>::is_hertz) store(g.overlap_root, sqrt(overlap));
+  } else {
+    const SpringBase<V> base = spring_base<typename Side::Law, Case>(overlap);
+    store(g.repulsion, base.repulsion);
+    store(g.overlap_root, base.root);
+  }
   greatest = max(overlap, greatest);
 }
 
@@ -98,6 +105,36 @@ struct InPlace {
   FIXDEM_INLINE void rows_are_written() const {}
 };
 
+/// History of W contacts, and its return; places as ContactLaw says.
+template <class Law, class Case, class V, class Place>
+FIXDEM_INLINE History<V> remembered(const Place& place) {
+  History<V> h{};
+  const auto vector = [&](int c) FIXDEM_INLINE_LAMBDA {
+    return Vec3<V>{place.template kept<V>(c), place.template kept<V>(c + 1), place.template kept<V>(c + 2)};
+  };
+  if constexpr (Law::history_vectors > 0) h.spring = vector(0);
+  if constexpr (Law::history_vectors > 1) h.last_velocity = vector(3);
+  if constexpr (takes_impulses<Case>) h.state_function = place.template kept<V>(Law::state_function_place);
+  if constexpr (Law::limit_place > Law::stiffness_place)
+    h.last_tangential_stiffness = place.template kept<V>(Law::stiffness_place);
+  if constexpr (Law::history_size > Law::limit_place) h.last_limit = place.template kept<V>(Law::limit_place);
+  return h;
+}
+template <class Law, class Case, class Place, class V>
+FIXDEM_INLINE void remember(const Place& place, const History<V>& h) {
+  const auto vector = [&](int c, const Vec3<V>& a) FIXDEM_INLINE_LAMBDA {
+    place.keep_in_mind(c, a.x);
+    place.keep_in_mind(c + 1, a.y);
+    place.keep_in_mind(c + 2, a.z);
+  };
+  if constexpr (Law::history_vectors > 0) vector(0, h.spring);
+  if constexpr (Law::history_vectors > 1) vector(3, h.last_velocity);
+  if constexpr (takes_impulses<Case>) place.keep_in_mind(Law::state_function_place, h.state_function);
+  if constexpr (Law::limit_place > Law::stiffness_place)
+    place.keep_in_mind(Law::stiffness_place, h.last_tangential_stiffness);
+  if constexpr (Law::history_size > Law::limit_place) place.keep_in_mind(Law::limit_place, h.last_limit);
+}
+
 /// Third stage of W contacts: the law, the history and the force rows. False when some lane slides or turns and that is
 /// left to be done; then nothing has been written. `lane`: in the batch; `valid`: contacts that are none of its
 /// repeats.
@@ -112,33 +149,32 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>
   std::conditional_t<Side::is_flat, Vec2<V>, Vec3<V>> n{};
   n.x = load<V>(g.normal[0]), n.y = load<V>(g.normal[1]);
   if constexpr (!Side::is_flat) n.z = load<V>(g.normal[2]);
-  const Springs<V> k = springs<Law, Case>(SpringBase<V>{load<V>(g.repulsion), load<V>(g.overlap_root)});
-  const auto touching = k.tangential_stiffness > V{};
 
   const V normal_velocity = dot(motion.velocity, n);
-  V damped_velocity = normal_velocity;
-  if constexpr (Case::integrator == Integrator::leapfrog)
-    damped_velocity = fused(splat<V>(0.5), dot(side.template kick<W>(owner, partner), n), damped_velocity);
-
-  History<V> history{};
+  History<V> history = remembered<Law, Case, V>(place);
   Vec3<V> surface_velocity = motion.velocity;
-  if constexpr (has_friction) {
-    surface_velocity = add_cross(motion.velocity, motion.spin, n);
-    history.spring = {place.template kept<V>(0), place.template kept<V>(1), place.template kept<V>(2)};
-    if constexpr (Law::history_size == 4) history.last_tangential_stiffness = place.template kept<V>(3);
-  }
+  if constexpr (has_friction) surface_velocity = add_cross(motion.velocity, motion.spin, n);
 
   bool is_done;
-  const ContactForce<V> f = contact_force<Law, Case, mode>(k, n, surface_velocity, normal_velocity, damped_velocity,
-                                                           touching, history, is_done);
+  ContactForce<V> f;
+  if constexpr (takes_impulses<Case>) {
+    OverlapRoots<V> at{load<V>(g.repulsion), V{}, V{}};
+    if constexpr (Derived<Case>::is_hertz) at.root = load<V>(g.overlap_root), at.fourth = sqrt(at.root);
+    f = contact_impulse<Law, Case, mode>(at, n, surface_velocity, normal_velocity, history, is_done);
+  } else {
+    const Springs<V> k = springs<Law, Case>(SpringBase<V>{load<V>(g.repulsion), load<V>(g.overlap_root)});
+    const auto touching = k.tangential_stiffness > V{};
+    V damped_velocity = normal_velocity;
+    if constexpr (Case::integrator == Integrator::leapfrog)
+      damped_velocity = fused(splat<V>(0.5), dot(side.template kick<W>(owner, partner), n), damped_velocity);
+    f = contact_force<Law, Case, mode>(k, n, surface_velocity, normal_velocity, damped_velocity, touching, history,
+                                       is_done);
+  }
   if (!is_done) return false;
 
+  remember<Law, Case>(place, history);
   using RowStore = RowLanes<W, Real<Case>>;
   if constexpr (has_friction) {
-    place.keep_in_mind(0, history.spring.x);
-    place.keep_in_mind(1, history.spring.y);
-    place.keep_in_mind(2, history.spring.z);
-    if constexpr (Law::history_size == 4) place.keep_in_mind(3, history.last_tangential_stiffness);
     RowStore::store_rows(place.first_row(), f.force, cross(n, f.force));  // eq. (14); scaled by r in motion.hpp
   } else {
     RowStore::store_rows(place.first_row(), f.force);

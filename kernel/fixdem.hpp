@@ -51,12 +51,15 @@ class Simulation {
       for (int c = 0; c < 4; ++c) v[c] = c < 3 ? from.velocity[c] : 0;
       if constexpr (D::has_friction)
         for (int c = 0; c < 4; ++c) v[4 + c] = c < 3 ? D::radius * from.angular_velocity[c] : 0;
+      if constexpr (holds_positions_ahead<Case>)
+        for (int c = 0; c < 4; ++c) x[c] += 0.5 * Case::time_step * v[c];
       if constexpr (Particles<Case>::predicts)
-        for (int c = 0; c < 4; ++c) x[c] += 0.5 * Case::time_step * v[c], s_.particles.last_kick.row[i][c] = 0;
+        for (int c = 0; c < 4; ++c) s_.particles.last_kick.row[i][c] = 0;
       if constexpr (Case::has_gas)
         for (int c = 0; c < 4; ++c) s_.particles.gas_kick.row[i][c] = 0;
     }
     s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.kept, s_.scratch, count);
+    if constexpr (takes_impulses<Case>) mark_contacts_as_found();
     if (s_.status.ok()) s_.status = deepest();
     for (int c = 0; c < 3; ++c) start_place_[c] = place_sum(c);
     return s_.status;
@@ -110,7 +113,7 @@ class Simulation {
     const int i = row_of(id);
     const double *x = s_.particles.position[i], *v = s_.particles.motion[i];
     Particle p{{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {}};
-    if constexpr (Particles<Case>::predicts)
+    if constexpr (holds_positions_ahead<Case>)
       for (int c = 0; c < 3; ++c) p.position[c] -= 0.5 * Case::time_step * v[c];
     if constexpr (D::is_periodic) p.position[2] -= turns(p.position[2]) * Case::pipe_length;
     if constexpr (D::has_friction)
@@ -122,7 +125,7 @@ class Simulation {
   int image(int id) const {
     const int i = row_of(id);
     double z = s_.particles.position[i][2];
-    if constexpr (Particles<Case>::predicts) z -= 0.5 * Case::time_step * s_.particles.motion[i][2];
+    if constexpr (holds_positions_ahead<Case>) z -= 0.5 * Case::time_step * s_.particles.motion[i][2];
     return s_.particles.image[i] + (D::is_periodic ? turns(z) : 0);
   }
 
@@ -207,9 +210,23 @@ class Simulation {
       if constexpr (Case::has_wall) s_.contacts.pipe.count[c] = 0;
       if constexpr (D::has_ends) s_.contacts.ends.count[c] = 0;
     }
-    if constexpr (D::has_friction) s_.kept.clear();
+    if constexpr (keeps_history<Case>) s_.kept.clear();
     for (auto& ring : s_.contacts.rows)
       for (auto& r : ring) r = 0;
+  }
+
+  /// Contacts that exist at the start have not begun in the first step (impulse_law.hpp).
+  void mark_contacts_as_found() {
+    constexpr int place = ContactLaw<Case, false>::state_function_place;
+    for_each_near_pair(s_.contacts, [&](int batch, int lane, int, int) {
+      s_.contacts.pairs.history.value[batch][place][lane] = found_at_start;
+    });
+    const auto mark_walls = [&](auto& walls) {
+      for_each_near_wall<Case>(
+          walls, [&](int batch, int lane, int) { walls.history.value[batch][place][lane] = found_at_start; });
+    };
+    if constexpr (Case::has_wall) mark_walls(s_.contacts.pipe);
+    if constexpr (D::has_ends) mark_walls(s_.contacts.ends);
   }
 
   /// The contact with the greatest overlap, as a fault where it is beyond the limit.

@@ -10,7 +10,7 @@
 
 namespace fixdem {
 
-template <class Case, bool present = Derived<Case>::has_friction>
+template <class Case, bool present = keeps_history<Case>>
 class KeptHistory {
  public:
   static constexpr int size = ContactLaw<Case, false>::history_size;
@@ -47,10 +47,12 @@ class KeptHistory {
   Real<Case> ends[Case::particle_count][size];  ///< of an end wall
 
  private:
+  static constexpr int vectors = 3 * ContactLaw<Case, false>::history_vectors;  ///< numbers that change sign
+
   bool copy(int owner, int partner, Real<Case> sign, Real<Case> (*value)[Capacity<Case>::batch], int lane) const {
     for (int k = newest_[owner]; k >= 0; k = entry_[k].older) {
       if (entry_[k].partner != partner) continue;
-      for (int c = 0; c < size; ++c) value[c][lane] = (c < 3 ? sign : Real<Case>{1}) * entry_[k].value[c];
+      for (int c = 0; c < size; ++c) value[c][lane] = (c < vectors ? sign : Real<Case>{1}) * entry_[k].value[c];
       return true;
     }
     return false;
@@ -65,7 +67,7 @@ class KeptHistory {
   int entries_;
 };
 
-/// Without friction there is nothing to keep.
+/// Without history there is nothing to keep.
 template <class Case>
 class KeptHistory<Case, false> {
  public:

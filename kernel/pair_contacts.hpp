@@ -64,17 +64,17 @@ struct PairSide {
     else
       return sqrt(measure);
   }
-  /// Overlap, zero in lanes without contact, and normal.
+  /// Overlap, negative in lanes without contact, and normal.
   template <class V>
   FIXDEM_INLINE V resolve(const Separation<V>& s, V distance, Vec3<V>& n) const {
     if constexpr (is_mixed<Case>) {
       const V sum = distance + constant<V>(d);
       const V inverse = constant<V>(1) / (distance * sum);
       n = scale(inverse * sum, s.way);
-      return max(s.measure * inverse * distance, V{});
+      return s.measure * inverse * distance;
     } else {
       n = scale(1.0 / distance, s.way);
-      return max(splat<V>(d) - distance, V{});
+      return splat<V>(d) - distance;
     }
   }
 

@@ -3,7 +3,8 @@
 // A row of positions is x, y, z and a pad (32 bytes); a row of motion is velocity, pad, radius times angular velocity,
 // pad (64 bytes; without friction there is no rotation and the row is 32). Particles are renumbered by z whenever the
 // near list is renewed, so neighbours in space are neighbours in memory; `id` keeps the number in input order. With the
-// leapfrog, positions are held half a step ahead of velocities, and the last change of velocity is kept for prediction.
+// leapfrog, positions are held half a step ahead of velocities, and the last change of velocity is kept for prediction
+// (with impulses the contacts keep what they need of the last step themselves).
 // In mixed precision contacts look up a copy of the motion in floats.
 #pragma once
 

@@ -14,7 +14,7 @@ namespace fixdem {
 /// Keeps the histories of the present contacts by particle number.
 template <class Case>
 void keep_histories(const Contacts<Case>& contacts, const Particles<Case>& p, KeptHistory<Case>& kept) {
-  if constexpr (Derived<Case>::has_friction) {
+  if constexpr (keeps_history<Case>) {
     constexpr int size = KeptHistory<Case>::size;
     kept.clear();
     for_each_near_pair(contacts, [&](int batch, int lane, int owner, int partner) {
@@ -102,7 +102,7 @@ Status renew(Contacts<Case>& contacts, NearList<Case>& near, Particles<Case>& p,
     const Status status =
         list_pairs<Case, W>(contacts, near, p, scratch, range,
                             [&](int owner, int partner, Real<Case>(*value)[Capacity<Case>::batch], int lane) {
-                              if constexpr (D::has_friction)
+                              if constexpr (keeps_history<Case>)
                                 kept.restore(p.id[at.owner_base + owner], p.id[at.partner_base + partner], value, lane);
                             });
     if (!status.ok()) return status;
@@ -111,7 +111,7 @@ Status renew(Contacts<Case>& contacts, NearList<Case>& near, Particles<Case>& p,
     const auto walls = [&](auto& kind, auto is_near, auto histories) {
       detail::list_walls(kind, p, range, near.promise[range].margin, is_near,
                          [&](int i, Real<Case>(*value)[Cap::batch], int lane) {
-                           if constexpr (D::has_friction)
+                           if constexpr (keeps_history<Case>)
                              for (int c = 0; c < KeptHistory<Case>::size; ++c)
                                value[c][lane] = histories(p.id[base + i])[c];
                          });

@@ -66,13 +66,18 @@ void sparse_contacts(const Side side, Batches& batches, int first, int count, Re
     unsigned touching = 0;
     for (int lane = 0; lane < lanes; lane += W)
       touching |= bits(side.touches(side.template separation<W>(owner + lane, partner + lane))) << lane;
-    if (const int valid = count - lanes * (b - first); valid < lanes) touching &= (1u << valid) - 1;
+    const int valid = count - lanes * (b - first);
+    const unsigned within = valid < lanes ? (1u << valid) - 1 : Capacity<Case>::all_lanes;
+    touching &= within;
     Real<Case>* row = rows + (b - first) * lanes * width;
     for (int k = 0; k < lanes * width; k += W) store(row + k, V{});
-    if constexpr (size > 0)  // a contact that has opened forgets
+    const unsigned now_touching = touching;
+    if constexpr (takes_impulses<Case>)  // one that has opened gets the rest of its impulse, and forgets by itself
+      touching |= batches.touching[b] & within;
+    else if constexpr (size > 0)  // a contact that has opened forgets
       for (unsigned opened = batches.touching[b] & ~touching; opened != 0; opened &= opened - 1)
         for (auto& component : batches.history.value[b]) component[__builtin_ctz(opened)] = 0;
-    batches.touching[b] = static_cast<std::uint16_t>(touching);
+    batches.touching[b] = static_cast<std::uint16_t>(now_touching);
     for (; touching != 0; touching &= touching - 1) {
       const int lane = __builtin_ctz(touching);
       list.owner[list.count] = owner[lane];

@@ -67,7 +67,7 @@ void prefetch_chunk(const State<Case>& s, int chunk) {
     const int first = kind.first(range), count = batches_for<Case>(kind.count[range]);
     prefetch(kind.owner + first, count);
     if constexpr (requires { kind.partner; }) prefetch(kind.partner + first, count);
-    if constexpr (Derived<Case>::has_friction) prefetch(kind.history.value + first, count);
+    if constexpr (keeps_history<Case>) prefetch(kind.history.value + first, count);
   };
   batches(s.contacts.pairs, chunk);
   if constexpr (Case::has_wall) batches(s.contacts.pipe, chunk);

@@ -108,7 +108,7 @@ struct WallSide {
   }
   template <class V>
   FIXDEM_INLINE V resolve(const Separation<V>& s, V root, Vec3<V>& n) const {
-    return max(Surface::resolve(s, root, n), V{});
+    return Surface::resolve(s, root, n);
   }
   template <int W, class Offset>
   FIXDEM_INLINE Motion<Lanes<W, R>> motion(const Offset* owner, const Offset*) const {

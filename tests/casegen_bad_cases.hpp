@@ -21,7 +21,7 @@ restitution = 0.9
 friction = 0.3
 [contact]
 normal = "hertz"
-slider = "clip"
+slider = "exact"
 [pipe]
 diameter = 0.050
 length = 0.800
@@ -38,6 +38,7 @@ seed = 3
 [run]
 time_step = 2.0e-6
 duration = 1.2
+integrator = "impulse"
 [capacity]
 neighbours = 14
 [output]
@@ -65,7 +66,10 @@ inline const std::vector<BadCase> bad_cases = {
      {"unknown key 'slider' in [material]", "belongs in [contact]"}},
     {"[capacity]", "[capacty]", "capacty", {"'capacty'", "did you mean 'capacity'?", "allowed: title, particles"}},
     {"density = 1000.0\n", "", "[particles]", {"missing key 'density' in [particles]", "kg/m3"}},
-    {"[run]\ntime_step = 2.0e-6\nduration = 1.2\n", "", "title", {"missing table [run]", "time_step, duration"}},
+    {"[run]\ntime_step = 2.0e-6\nduration = 1.2\nintegrator = \"impulse\"\n",
+     "",
+     "title",
+     {"missing table [run]", "time_step, duration"}},
     // types
     {"count = 2", "count = 2.5", "2.5", {"count = 2.5 in [particles]", "must be a whole number", "allowed: 1 to"}},
     {"diameter = 0.010",
@@ -98,7 +102,7 @@ inline const std::vector<BadCase> bad_cases = {
      {"[capacity] tile_steps = 2", "needs 8 chunks", "2 particles fill 1; allowed: 1\n", "leave tile_steps out"}},
     {"duration = 1.2",
      "duration = 1.2\nmax_overlap = 1.0",
-     "1.0\n[capacity]",
+     "1.0\nintegrator",
      {"max_overlap = 1 in [run]", "above 0 and below 1"}},
     {"seed = 3", "seed = -3", "-3", {"seed = -3 in [start]", "at least 0"}},
     // words
@@ -115,7 +119,7 @@ inline const std::vector<BadCase> bad_cases = {
      "\"hooke\"",
      {"normal = \"hooke\" in [contact] is unknown", "\"hertz\", \"linear\""}},
     // keys that need or exclude one another
-    {"slider = \"clip\"",
+    {"slider = \"exact\"",
      "normal_stiffness = 1e4",
      "normal_stiffness",
      {"[contact] normal_stiffness = 10000", "not used here", "normal = \"linear\""}},
@@ -127,10 +131,14 @@ inline const std::vector<BadCase> bad_cases = {
      "normal = \"linear\"",
      "[contact]",
      {"missing key 'tangential_stiffness' in [contact]", "N/m"}},
-    {"slider = \"clip\"",
+    {"slider = \"exact\"",
      "damping = \"critical\"",
      "\"critical\"",
      {"damping = \"critical\"", "allowed: \"restitution\""}},
+    {"slider = \"exact\"",
+     "slider = \"paper\"",
+     "\"paper\"",
+     {"slider = \"paper\" with integrator = \"impulse\"", "allowed: \"exact\", \"clip\""}},
     {"wall = true", "wall = false", "false", {"[pipe] wall = false", "allowed: true", "remove [gas]"}},
     {"duration = 1.2", "duration = 1e-6", "1e-6", {"[run] duration", "shorter than one step", "at least time_step"}},
     {"log_interval = 0.1", "log_interval = 1e-7", "1e-7", {"[output] log_interval", "at least time_step"}},

@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "kernel/case.hpp"
+#include "slider_reference.hpp"
 
 // Numbers of particles are int; clang counts their use as an index to -Wconversion.
 #if defined(__clang__)
@@ -18,9 +18,6 @@
 #endif
 
 namespace fixdem::reference {
-
-template <class Scalar>
-using Vector = Eigen::Matrix<Scalar, 3, 1>;
 
 /// Stiffness and damping of one kind of contact. With Hertz they are the factors of overlap^(3/2), overlap^(1/2) and
 /// overlap^(1/4); with the linear law they are N/m and kg/s.
@@ -107,6 +104,11 @@ template <class Scalar>
 struct Memory {
   Vector<Scalar> history = Vector<Scalar>::Zero();
   Scalar stiffness = 0;
+  Scalar limit = 0;  ///< `exact`: greatest length of the history in the step before, if it slid
+  // `impulse`: overlap^(5/4) (linear law: overlap) at the end of the step before, and the surface velocity in it. Below
+  // zero: not looked at yet; zero: begins now.
+  Scalar state = 0;
+  Vector<Scalar> surface_velocity = Vector<Scalar>::Zero();
 };
 
 /// Where and how i and j meet. The predicted normal velocity damps the normal motion (equal to the current one with
@@ -159,20 +161,22 @@ ContactForce<Scalar> contact_force(const Coefficients<Scalar>& c, const Encounte
 
   const Vector<Scalar> slip = at.relative_velocity - v_n * at.n + r * at.spin_sum.cross(at.n);  // eq. (8)
   const Vector<Scalar> kept = turned_into_plane(memory.history, at.n);
-  Vector<Scalar> s;  // spring force, before the minus of eq. (7)
+  Vector<Scalar> before;  // spring force before this step's slip, and after: s, before the minus of eq. (7)
   if (Case::tangential == TangentialLaw::displacement) {
-    s = k_t * (kept + slip * dt);
+    before = k_t * kept;
   } else if (Case::tangential == TangentialLaw::rescale && k_t < memory.stiffness) {
-    s = kept * (k_t / memory.stiffness) + k_t * slip * dt;
+    before = kept * (k_t / memory.stiffness);
   } else {
-    s = kept + k_t * slip * dt;
+    before = kept;
   }
+  Vector<Scalar> s = before + k_t * slip * dt;
   const Vector<Scalar> trial_spring = s;
 
   const Scalar limit = mu * std::abs(out.normal_force);
   Vector<Scalar> f_t;
-  if (Case::slider == Slider::clip) {
-    if (s.norm() > limit) s *= limit / s.norm();
+  if (Case::slider != Slider::paper) {
+    const Scalar unit = Case::tangential == TangentialLaw::displacement ? k_t : Scalar(1);  // N per unit of history
+    s = unit * spring_within_limit<Case, Scalar>(before / unit, k_t * slip * dt / unit, limit / unit, memory.limit);
     f_t = -(s + eta_t * slip);
     if (f_t.norm() > limit) f_t *= limit / f_t.norm();
   } else {

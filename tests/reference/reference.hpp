@@ -8,40 +8,18 @@
 //
 // One step: floaters and gas (at their intervals), forces from current positions and velocities, then v, omega with
 // the force and x with the new v (eqs. 3-5). `leapfrog` holds positions half a step ahead of the velocities and damps
-// the normal motion at velocities predicted with the acceleration of the step before.
+// the normal motion at velocities predicted with the acceleration of the step before; `impulse` holds them ahead too.
 #pragma once
 
 #include <Eigen/Core>
 #include <map>
 #include <vector>
 
-#include "contact_reference.hpp"
 #include "gas_reference.hpp"
+#include "impulse_reference.hpp"
+#include "seen_reference.hpp"
 
 namespace fixdem::reference {
-
-/// State of one sphere, or what a test places.
-struct Particle {
-  double position[3];
-  double velocity[3];
-  double angular_velocity[3];
-};
-
-/// A contact of the last force evaluation, seen from the owner (the lower number); partners below zero are walls.
-struct Contact {
-  int owner, partner;
-  double overlap;
-  double normal[3];
-  double normal_force;  ///< positive: repulsion
-  double tangential_force[3];
-  double history[3];
-};
-
-struct Energy {
-  double kinetic = 0, elastic = 0, dissipated_damping = 0, dissipated_sliding = 0, gravity_work = 0, gas_work = 0;
-};
-
-constexpr int pipe_wall = -1, lower_end = -2, upper_end = -3;  ///< partner numbers of the walls
 
 template <class Case, class Scalar = double>
 class Reference {
@@ -60,7 +38,7 @@ class Reference {
     energy_ = {};
     step_ = 0;
     for (Sphere& s : spheres_) {
-      if (Case::integrator == Integrator::leapfrog) s.x += s.v * dt / 2;
+      if (Case::integrator != Integrator::euler) s.x += s.v * dt / 2;
       wrap(s);
     }
   }
@@ -80,7 +58,7 @@ class Reference {
 
   Particle particle(int id) const {
     Sphere s = spheres_[id];
-    if (Case::integrator == Integrator::leapfrog) s.x -= s.v * dt / 2;
+    if (Case::integrator != Integrator::euler) s.x -= s.v * dt / 2;
     wrap(s);
     Particle p;
     for (int k = 0; k < 3; ++k) {
@@ -95,6 +73,7 @@ class Reference {
   template <class F>
   void for_each_contact(F&& visit) const {
     for (const auto& [key, contact] : contacts_) {
+      if (!(contact.overlap > 0)) continue;
       Contact c{};
       c.owner = key.first, c.partner = key.second;
       c.overlap = static_cast<double>(contact.overlap);
@@ -181,15 +160,27 @@ class Reference {
                              const Vector3& relative_velocity, const Vector3& predicted, const Vector3& spin_sum) {
     Touching& contact = contacts_[key];
     const Encounter<Scalar> at{overlap, n, relative_velocity, predicted.dot(n), spin_sum};
-    contact.force = contact_force<Case>(coefficients, at, contact.memory);
+    if constexpr (Case::integrator == Integrator::impulse) {
+      if (step_ == 0) contact.memory.state = -1;
+      contact.force = contact_impulse<Case>(coefficients, at, key.second >= 0 ? 2 : 1, contact.memory);
+    } else {
+      contact.force = contact_force<Case>(coefficients, at, contact.memory);
+    }
     contact.n = n, contact.overlap = overlap, contact.last_step = step_;
     energy_.dissipated_damping += static_cast<double>(contact.force.damping_loss);
     energy_.dissipated_sliding += static_cast<double>(contact.force.sliding_loss);
     return contact.force;
   }
 
+  /// With impulses a contact that has opened gets the rest of its last half step.
+  bool has_just_opened(Key key) const {
+    if (Case::integrator != Integrator::impulse) return false;
+    const auto found = contacts_.find(key);
+    return found != contacts_.end() && found->second.memory.state > 0;
+  }
+
   void touch_wall(int i, int wall, Scalar overlap, const Vector3& n) {
-    if (!(overlap > 0)) return;
+    if (!(overlap > 0 || has_just_opened({i, wall}))) return;
     Sphere& s = spheres_[i];
     const auto f = touch({i, wall}, at_wall, overlap, n, s.v, predicted_velocity(s), s.omega);
     s.force += f.normal_force * n + f.tangential_force;
@@ -198,10 +189,13 @@ class Reference {
 
   void contact_forces() {
     for (Sphere& s : spheres_) s.force = s.torque = Vector3::Zero();
-    for_each_pair(2 * sphere.radius, [this](int i, int j, const Vector3& between, Scalar distance) {
+    const Scalar reach = (Case::integrator == Integrator::impulse ? Scalar(1.1L) : Scalar(1)) * 2 * sphere.radius;
+    for_each_pair(reach, [this](int i, int j, const Vector3& between, Scalar distance) {
+      const Scalar overlap = 2 * sphere.radius - distance;
+      if (!(overlap > 0 || has_just_opened({i, j}))) return;
       Sphere &a = spheres_[i], &b = spheres_[j];
       const Vector3 n = between / distance;
-      const auto f = touch({i, j}, between_spheres, 2 * sphere.radius - distance, n, a.v - b.v,
+      const auto f = touch({i, j}, between_spheres, overlap, n, a.v - b.v,
                            predicted_velocity(a) - predicted_velocity(b), a.omega + b.omega);
       const Vector3 force = f.normal_force * n + f.tangential_force;  // eq. (13)
       a.force += force, b.force -= force;
@@ -212,7 +206,7 @@ class Reference {
       if (Case::has_wall) {
         const Scalar q = std::sqrt(x.x() * x.x() + x.y() * x.y());
         const Scalar overlap = q - (Scalar(Case::pipe_diameter) / 2 - sphere.radius);
-        if (overlap > 0) touch_wall(i, pipe_wall, overlap, Vector3(x.x() / q, x.y() / q, 0));
+        if (q > 0) touch_wall(i, pipe_wall, overlap, Vector3(x.x() / q, x.y() / q, 0));
       }
       if (Case::ends == Ends::closed) {
         touch_wall(i, lower_end, sphere.radius - x.z(), Vector3(0, 0, -1));

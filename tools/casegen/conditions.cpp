@@ -95,6 +95,11 @@ void check_law_and_gas(const Reading& reading, Report& report) {
     report.error(reading.place("contact.damping"),
                  "[contact] damping = \"critical\" with normal = \"hertz\"; allowed: \"restitution\"",
                  "use damping = \"restitution\", or normal = \"linear\" with given stiffnesses");
+  if (v.integrator == "impulse" && v.slider == "paper" && reading.usable({"contact.slider"}))
+    report.error(
+        reading.place("contact.slider"),
+        "[contact] slider = \"paper\" with integrator = \"impulse\"; allowed: \"exact\", \"clip\"",
+        "use slider = \"exact\"; with \"paper\" impacts do not converge, and another integrator gains nothing");
   if (v.has_gas && !v.wall && reading.usable({"pipe.wall"}))
     report.error(reading.place("pipe.wall"), "[pipe] wall = false with a [gas] table; allowed: true",
                  "the gas model needs the pipe wall: set wall = true, or remove [gas]");

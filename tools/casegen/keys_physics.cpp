@@ -55,9 +55,12 @@ std::vector<Rule<CaseValues>> physics_keys() {
         "\"displacement\" is the paper's; \"rescale\" never creates energy"},
        Choice{&Values::tangential, {"displacement", "force", "rescale"}}},
       {{"contact", "slider", "", false, When::always, "",
-        "Coulomb's limit: spring capped first, then the total; or the paper's eqs. (10)-(12) to the letter",
-        "\"clip\" converges with the time step; \"paper\" is the letter of eqs. (10)-(12)"},
-       Choice{&Values::slider, {"clip", "paper"}}},
+        "Coulomb's limit: spring capped first, then the total; the same with the turning of a sliding spring solved "
+        "exactly; or the paper's eqs. (10)-(12) to the letter",
+        "\"clip\" converges with the time step, \"exact\" (with integrator = \"impulse\") faster; \"paper\" is the "
+        "letter "
+        "of eqs. (10)-(12)"},
+       Choice{&Values::slider, {"clip", "exact", "paper"}}},
       {{"contact", "damping_mass", "", false, When::always, "",
         "mass in eq. (26) between particles: the reduced mass gives the restitution asked for, the particle's is as "
         "printed",

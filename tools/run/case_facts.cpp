@@ -2,7 +2,16 @@
 
 namespace fixdem::program {
 
-const char* integrator_name(Integrator integrator) { return integrator == Integrator::leapfrog ? "leapfrog" : "euler"; }
+const char* integrator_name(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::leapfrog:
+      return "leapfrog";
+    case Integrator::impulse:
+      return "impulse";
+    default:
+      return "euler";
+  }
+}
 
 const char* precision_name(Precision precision) { return precision == Precision::mixed_precision ? "mixed" : "double"; }
 
@@ -13,7 +22,7 @@ std::vector<std::string> features(const CaseFacts& facts) {
     list.push_back(facts.tangential == TangentialLaw::displacement ? "displacement"
                    : facts.tangential == TangentialLaw::force      ? "force"
                                                                    : "rescale");
-    list.push_back(facts.slider == Slider::clip ? "clip" : "paper");
+    list.push_back(facts.slider == Slider::clip ? "clip" : facts.slider == Slider::exact ? "exact" : "paper");
     list.push_back("rotation");
   }
   if (facts.damping == Damping::critical) list.push_back("critical_damping");

@@ -1,0 +1,141 @@
+// Means along straight ways: what the impulse law (impulse_law.hpp) needs to know of one step of a contact.
+//
+// Two half steps, from the overlap before to the present one and from there on, each at constant velocity; of
+// overlap^(3/2) and overlap^(1/4) along them (linear law: of the overlap, and of one). Short ways go by Taylor series,
+// the others by closed forms in roots and fourth roots of both ends, which do not cancel: with a = p^2, b = q^2 the
+// roots of the ends,
+//   mean of overlap^(3/2) = (2/5) (b^5 - a^5) / (b^2 - a^2),   mean of overlap^(1/4) = (4/5) (q^5 - p^5) / (q^4 - p^4).
+// Where an end is a gap, the mean counts for the share of the way that has overlap.
+#pragma once
+
+#include "contact_law.hpp"
+
+namespace fixdem {
+
+/// What the geometry gives to the law.
+template <class V>
+struct OverlapRoots {
+  V overlap;       ///< m; negative where there is a gap
+  V root, fourth;  ///< of the overlap; zero where there is none; not used by the linear law
+};
+
+namespace detail {
+
+/// Mean of (1 + q t)^(N/4) over t from 0 to 1 for |q| <= 1/16; the first term left out is below 1e-14.
+template <int N, class V>
+FIXDEM_INLINE V mean_power(V q) {
+  constexpr int terms = 9;
+  struct Series {
+    double c[terms] = {1};
+    constexpr Series() {
+      for (int k = 1; k < terms; ++k) c[k] = c[k - 1] * (N / 4.0 - k + 1) / (k + 1);
+    }
+  };
+  static constexpr Series series;
+  V sum = splat<V>(series.c[terms - 1]);
+  for (int k = terms - 2; k >= 0; --k) sum = fused(sum, q, splat<V>(series.c[k]));
+  return sum;
+}
+
+/// u^4 + u^3 w + u^2 w^2 + u w^3 + w^4 = (w^5 - u^5) / (w - u)
+template <class V>
+FIXDEM_INLINE V sum_of_fourth_degree(V u, V w) {
+  const V square = w * w;
+  return fused(fused(fused(u + w, u, square), u, square * w), u, square * square);
+}
+
+/// Ways up to this share of the overlap go by the series.
+inline constexpr double short_way = 1.0 / 16;
+
+/// Share of a straight way between two overlaps, of which one may be a gap, on which there is overlap.
+template <class V>
+FIXDEM_INLINE V share_with_overlap(V a, V b) {
+  const V low = a < b ? a : b, high = max(a, b), inside = max(high, V{});
+  return select(low < V{}, inside / max(high - low, splat<V>(least_square<V>)), splat<V>(1));
+}
+
+/// One end of a straight way: overlap (zero for a gap) with its root and fourth root.
+template <bool is_hertz, class V>
+FIXDEM_INLINE OverlapRoots<V> end_of_way(V overlap) {
+  const V inside = max(overlap, V{});
+  if constexpr (!is_hertz) return {inside, V{}, V{}};
+  const V root = sqrt(inside);
+  return {inside, root, sqrt(root)};
+}
+
+/// G without its factor: overlap^(5/4), or the overlap.
+template <bool is_hertz, class V>
+FIXDEM_INLINE V state_at(const OverlapRoots<V>& end) {
+  if constexpr (is_hertz) return end.overlap * end.fourth;
+  return end.overlap;
+}
+
+/// Means along a straight way from a to b, overlap on all of it: of overlap^(3/2), or the overlap, ...
+template <bool is_hertz, class V>
+FIXDEM_INLINE V elastic_mean(const OverlapRoots<V>& a, const OverlapRoots<V>& b) {
+  if constexpr (!is_hertz) return constant<V>(0.5) * (a.overlap + b.overlap);
+  return constant<V>(0.4) * sum_of_fourth_degree(a.root, b.root) / max(a.root + b.root, splat<V>(least_square<V>));
+}
+/// ... and of overlap^(1/4), or one.
+template <bool is_hertz, class V>
+FIXDEM_INLINE V damping_mean(const OverlapRoots<V>& a, const OverlapRoots<V>& b) {
+  if constexpr (!is_hertz) return splat<V>(1);
+  return constant<V>(0.8) * sum_of_fourth_degree(a.fourth, b.fourth) /
+         max((a.fourth + b.fourth) * (a.root + b.root), splat<V>(least_square<V>));
+}
+
+/// What the closed forms give: means over the step, values of the state function, share of the step for the spring.
+template <class V>
+struct WayMeans {
+  V elastic, damping, state_before, state, share_of_step;
+};
+
+template <bool is_hertz, class V, class Mask>
+FIXDEM_INLINE WayMeans<V> means_in_full(const OverlapRoots<V>& at, V way_before, V way_after, V way_of_state, V last,
+                                        Mask pressed) {
+  const V half = splat<V>(0.5), one = splat<V>(1), two = splat<V>(2);
+  const auto has_begun = (last == V{}) & (way_before > V{}), found = last < V{};
+  const V since_begin = at.overlap / max(way_before, splat<V>(least_square<V>));  // in half steps, where it approaches
+
+  const V overlap_before = at.overlap - way_before, overlap_after = at.overlap + way_after;
+  const OverlapRoots<V> now = end_of_way<is_hertz>(at.overlap), after = end_of_way<is_hertz>(overlap_after);
+  const OverlapRoots<V> before = end_of_way<is_hertz>(select(has_begun, V{}, overlap_before));
+  const V share_before =
+      select(has_begun, since_begin < two ? since_begin : two, share_with_overlap(overlap_before, at.overlap));
+  const V share_after = keep(pressed, share_with_overlap(at.overlap, overlap_after));
+  const V overlap_of_state = at.overlap + way_of_state;
+  const OverlapRoots<V> of_state = end_of_way<is_hertz>(overlap_of_state);
+
+  WayMeans<V> m;
+  m.elastic =
+      half * fused(share_before, elastic_mean<is_hertz>(before, now), share_after * elastic_mean<is_hertz>(now, after));
+  m.damping = half * fused(share_before, damping_mean<is_hertz>(before, now),
+                           keep(pressed, share_with_overlap(at.overlap, overlap_of_state)) *
+                               damping_mean<is_hertz>(now, of_state));
+  m.state = state_at<is_hertz>(of_state);
+  m.state_before = select(found, state_at<is_hertz>(before), last);
+  const V whole = select(found, half, one), from_begin = half * since_begin;
+  m.share_of_step = select((has_begun | (found & (way_before > V{}))) & (from_begin < whole), from_begin, whole);
+  return m;
+}
+
+/// sin^2(x) / x^2 from x^2, up to one radian; beyond, as there.
+template <class V>
+FIXDEM_INLINE V square_of_sinc(V x_square) {
+  constexpr int terms = 10;
+  struct Series {
+    double c[terms] = {1};
+    constexpr Series() {
+      for (int k = 1; k < terms; ++k) c[k] = -c[k - 1] * 4 / ((2.0 * k + 1) * (2.0 * k + 2));
+    }
+  };
+  static constexpr Series series;
+  const V x = x_square < constant<V>(1) ? x_square : splat<V>(1);
+  V sum = splat<V>(series.c[terms - 1]);
+  for (int k = terms - 2; k >= 0; --k) sum = fused(sum, x, splat<V>(series.c[k]));
+  return sum;
+}
+
+}  // namespace detail
+
+}  // namespace fixdem

@@ -1,0 +1,29 @@
+// What the reference takes and shows: spheres, contacts, energies. Named as in the kernel; SI units.
+#pragma once
+
+namespace fixdem::reference {
+
+/// State of one sphere, or what a test places.
+struct Particle {
+  double position[3];
+  double velocity[3];
+  double angular_velocity[3];
+};
+
+/// A contact of the last force evaluation, seen from the owner (the lower number); partners below zero are walls.
+struct Contact {
+  int owner, partner;
+  double overlap;
+  double normal[3];
+  double normal_force;  ///< positive: repulsion
+  double tangential_force[3];
+  double history[3];
+};
+
+struct Energy {
+  double kinetic = 0, elastic = 0, dissipated_damping = 0, dissipated_sliding = 0, gravity_work = 0, gas_work = 0;
+};
+
+constexpr int pipe_wall = -1, lower_end = -2, upper_end = -3;  ///< partner numbers of the walls
+
+}  // namespace fixdem::reference
