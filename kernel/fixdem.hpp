@@ -66,7 +66,8 @@ class Simulation {
   }
 
   /// Sets the history of a contact that start() has listed; metres, or newtons with the incremental forms. Partner as
-  /// in Contact. Contacts that are not near are ignored: they have no history.
+  /// in Contact. Contacts that are not near are ignored: they have no history. With impulses it is that of the time of
+  /// the start; otherwise that of the last force before it.
   void restore_history(int owner, int partner, const double (&history)[3]) {
     if constexpr (D::has_friction) {
       constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::mass;

@@ -10,7 +10,7 @@
 // Damping impulse: G(after) - G(before) with G = (4/5) eta_0 overlap^(5/4), the integral of eta over the overlap. The
 // contact keeps G(after), so over its life the sum is exactly zero, as it must be. `after` is
 // d + h v + 0.4 (1 - y/10) (v' - v) time_step, y = (3/2) K d^(1/2) time_step^2 / M. With 0.5 for 0.4 the energy taken,
-// a trapezoidal sum of velocity over G, is off by a term of second order; 0.4 removes that to a percent for e from 0.1
+// a trapezoidal sum of velocity over G, is off by a term of second order; 0.4 removes nearly all of that for e from 0.1
 // to 1, and y/10 most of the next one at e = 0.9 (found by experiment; tests/impulse_test.cpp has the errors left).
 //
 // Tangential spring: k_t sinc^2(w h) with w^2 = 3.5 k_t/m at a wall and 7 k_t/m between spheres, so that the leapfrog's

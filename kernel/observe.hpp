@@ -2,7 +2,8 @@
 //
 // Nothing here is called in a step. Contacts are recomputed from positions by the formulas of contact_law.hpp, one lane
 // wide, with a copy of the history that is not advanced: forces are those of the spring as it stands and the damping of
-// the present velocities. With the leapfrog all is seen at the held positions of the forces; particle() synchronises.
+// the present velocities. With the leapfrog all is seen at the held positions of the forces; particle() synchronises, and
+// so does the history of a contact with impulses.
 #pragma once
 
 #include "tiles.hpp"
@@ -75,7 +76,11 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
     c.tangential_force[1] = to_newton * force.y;
     c.tangential_force[2] = to_newton * force.z;
     const double unit = keeps_displacement ? 1 : to_newton;
-    c.history[0] = unit * spring.x, c.history[1] = unit * spring.y, c.history[2] = unit * spring.z;
+    Vec3<double> shown = spring;
+    if constexpr (takes_impulses<Case>)  // half a step on, to the time that particle() shows and that a start takes
+      if (kept[Law::state_function_place][lane] > 0)
+        shown = add_scaled(spring, 0.5 * Case::time_step * (keeps_displacement ? 1 : k.tangential_stiffness), slip);
+    c.history[0] = unit * shown.x, c.history[1] = unit * shown.y, c.history[2] = unit * shown.z;
     const double square = dot(spring, spring);
     seen.elastic +=
         0.5 * to_newton * (keeps_displacement ? k.tangential_stiffness * square : square / k.tangential_stiffness);
