@@ -17,8 +17,8 @@ TEST_CASE("impulse parts: falling exponential") {
     error = std::max(error, std::abs(falling_exponential(x) / std::exp(-x) - 1));
     if (x < 80) {
       const float narrow_x = static_cast<float>(x);
-      float_error =
-          std::max(float_error, std::abs(falling_exponential(narrow_x) / static_cast<float>(std::exp(-double{narrow_x})) - 1));
+      float_error = std::max(
+          float_error, std::abs(falling_exponential(narrow_x) / static_cast<float>(std::exp(-double{narrow_x})) - 1));
     }
   }
   CHECK(error < 4.5e-16);
