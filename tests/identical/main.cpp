@@ -52,6 +52,7 @@ int main() {
   ok = run<leapfrog>("leapfrog") && ok;
   ok = run<paper>("paper") && ok;
   ok = run<linear>("linear") && ok;
+  ok = run<impulse>("impulse") && ok;
   ok = run<mixed_gas>("mixed gas") && ok;
   ok = run<mixed_smooth>("mixed smooth") && ok;
   ok = run<mixed_leapfrog>("mixed leapfrog") && ok;

@@ -55,6 +55,11 @@ struct linear : paper {
   static constexpr double normal_stiffness = 1e5, tangential_stiffness = 3e4;
 };
 
+struct impulse : gas {
+  static constexpr auto integrator = Integrator::impulse;
+  static constexpr auto slider = Slider::exact;
+};
+
 struct mixed_gas : in_mixed_precision<gas> {};
 struct mixed_smooth : in_mixed_precision<smooth> {};
 struct mixed_leapfrog : in_mixed_precision<leapfrog> {};
