@@ -56,7 +56,7 @@ std::vector<Rule<CaseValues>> run_keys() {
        Real{&Values::overlap_warning, positive, true}},
       {{"run", "stability_limit", "stable steps", false, When::always, "",
         "a time step beyond one stable step of the present contacts is warned of, once; beyond this many the run stops",
-        "the default is 1.6: on a bed a step beyond that is unstable; inf never stops"},
+        "the default is 1.5: on a bed a step beyond that is unstable; inf never stops"},
        Real{&Values::stability_limit, positive, true}},
 
       {{"capacity", "neighbours", "", false, When::always, "",
