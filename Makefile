@@ -128,7 +128,7 @@ stability_out = $(if $(QUICK),$(stability)/page,bench/reports/$(case_name))
 stability:  ## how far CASE is from instability: page, tables and pictures in bench/reports/CASE; QUICK=1 is the part of it in make test
 	$(needs) run test $(if $(QUICK),,report)
 	+@$(MAKE) final-state CASE='$(case_file)' OUT= SEED= ARGS=
-	+tools/stability/stability.py --case-file $(case_file) --casegen $(casegen) --programs $(stability) --results $(usual) \
+	+tools/stability/stability.py --case-file $(case_file) --casegen $(casegen) --folder $(stability) --results $(usual) \
 	  --make '$(MAKE) $(parallel) CASE=$(case_file)' --out $(stability_out) $(if $(QUICK),--quick)
 
 .PHONY: check

@@ -100,7 +100,7 @@ void TimeLoop::output(long long step, bool is_last) {
   const Snapshot snapshot = take_snapshot(view_, facts_.particle_count);
   if (sample_due) plugs_.add(plug_sample(snapshot));
   if (log_due) log(snapshot);
-  if (frame_due) {
+  if (frame_due || (frames_ && step_is_too_large_)) {
     frames_->write(snapshot);
     if (dump_) dump_->append(encode_dump(snapshot, facts_));
   }
@@ -181,8 +181,9 @@ int TimeLoop::finish(const Status& status, int signal) {
                     fault_sentence(facts_, status), fault_advice(facts_, status, greatest_speed_),
                     options_.out.string()));
   if (step_is_too_large_)
-    throw Failure(exit_unstable, fmt::format("stopped at step {}: {}\n  log and summary are in {}",
-                                             grouped(view_.step()), watch_.stop_message(), options_.out.string()));
+    throw Failure(exit_unstable,
+                  fmt::format("stopped at step {}: {}\n  log, summary and the frame of that moment are in {}",
+                              grouped(view_.step()), watch_.stop_message(), options_.out.string()));
   if (signal != 0) {
     std::fputs(fmt::format("fixdem: interrupted by signal {} at {:.6g} s; final.fixdem holds that moment\n", signal,
                            outcome.snapshot.time)

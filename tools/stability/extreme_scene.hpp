@@ -73,8 +73,9 @@ struct Scene {
 };
 
 inline std::string one_line(std::string text) {
-  for (std::size_t at; (at = text.find_first_of("\n\"")) != std::string::npos;) text[at] = text[at] == '"' ? '\'' : ' ';
-  while (!text.empty() && text.back() == ' ') text.pop_back();
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  for (std::size_t at; (at = text.find('\n')) != std::string::npos;) text.replace(at, 1, "; ");
+  std::replace(text.begin(), text.end(), '"', '\'');
   for (std::size_t at; (at = text.find("  ")) != std::string::npos;) text.erase(at, 1);
   return text;
 }

@@ -111,7 +111,7 @@ def extremes(content):
     return (
         "\n## Stiff and extreme scenes\n\nEach in the kernel, in a process of its own, with what a program of that case would say. *stable*: ran to its end, gained no energy and, "
         "if it is a head-on collision, came back with the restitution asked for (within 0.02). *warned*: the same, or wrong, and the program has said so. *refused*: would not start. "
-        "*stopped*: ended with that message. Balance: of the ledger, relative to its greatest entry.\n\n"
+        "*stopped*: ended with that message. Balance: error of the energy ledger, relative to its greatest entry.\n\n"
         + table(["scene", "verdict", "energy balance", "greatest overlap / radius", "restitution", "message"], rows)
         + "\n"
     )
@@ -135,18 +135,18 @@ def ledger(content):
     for r in content["grazing"]:
         groups.setdefault((r["contact"], r["poisson ratio"], r["k_t / k_n"], r["tangential law"]), []).append(r)
     rows = []
-    for (contact, nu, ratio, law), members in groups.items():
-        whole = max(members, key=lambda r: float(r["created / kinetic energy"]))
-        rows.append((contact, nu, ratio, law, f"{100 * float(whole['created / kinetic energy']):.3f}", whole["degrees from the normal"],
-                     f"{100 * max(float(r['created / tangential kinetic energy']) for r in members):.2f}",
-                     f"{100 * min(float(r['created / kinetic energy']) for r in members):.3f}"))
+    for group, members in groups.items():
+        best = max(members, key=lambda r: float(r["gained / tangential energy"]))
+        unaccounted = [100 * float(r["unaccounted / kinetic energy"]) for r in members]
+        rows.append((*group, f"{100 * float(best['gained / tangential energy']):.2f}", best["degrees from the normal"], f"{min(unaccounted):.2f} to {max(unaccounted):.2f}"))
     return (
         text
-        + "\n### What tangential laws create\n\nOne impact at 1 m/s without damping (e = 1) at a thousandth of the contact time, by the reference program: kinetic energy after, and what sliding "
-        "has dissipated, less kinetic energy before. Positive values are energy out of nothing, greatest over all angles of incidence; the last column is the greatest loss that no entry "
-        "of the ledger accounts for.\n\n"
-        + table(["contact", "Poisson's ratio", "k_t / k_n", "tangential law", "created, % of the kinetic energy", "at degrees from the normal", "created, % of its tangential part", "least, %"], rows)
-        + ("\n\n![created energy](grazing.png)\n" if "decays" in content else "\n")
+        + "\n### What tangential laws create\n\nOne impact at 1 m/s without damping (e = 1) at a thousandth of the contact time, by the reference program, for angles of incidence from "
+        "0.25 degrees off the normal to grazing. *Gained*: kinetic energy after over that before, less 1, in % of the tangential part of the energy before (translation across the "
+        "normal); above zero it is energy out of nothing. *Unaccounted*: what of the ledger is left over, kinetic energy after and dissipated by sliding less kinetic energy before, in % "
+        "of the latter: what the spring takes up (below zero) or gives off while its stiffness follows the overlap.\n\n"
+        + table(["contact", "Poisson's ratio", "k_t / k_n", "tangential law", "greatest gain, % of tangential energy", "at degrees", "unaccounted, % of kinetic energy"], rows)
+        + ("\n\n![gained energy](grazing.png)\n" if "decays" in content else "\n")
     )
 
 

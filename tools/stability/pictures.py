@@ -38,14 +38,14 @@ def draw_limits(content, out):
             rows = [r for r in content["limits"]["rows"] if r["scene"] == "settled bed" and r["integrator"] == integrator]
             rows = sorted((float(r["restitution"]), r["predicted step [s]"], r["measured limit [s]"], r["watched bound [s]"]) for r in rows)
             file = data(folder, f"{integrator}.dat", rows)
-            curves.append(f"'{file}' using 1:2 with lines linewidth 2 linecolor {color} title 'predicted, {integrator}'")
+            curves.append(f"'{file}' using 1:2 with lines linewidth 2 linecolor {color} dashtype {color} title 'predicted, {integrator}'")
             curves.append(f"'{file}' using 1:3 with points pointtype {4 + 2 * color} linecolor {color} title 'measured, {integrator}'")
             if integrator == content["summary"]["integrator"]:
                 curves.append(f"'{file}' using 1:4 with lines dashtype 2 linecolor 'black' title 'bound watched by programs'")
         curves.append(f"{content['summary']['time_step']} with lines dashtype 3 linecolor 'black' title 'time step of the case'")
         gnuplot(
             f"set title '{content['case']}: greatest stable time step of the settled bed' noenhanced\nset xlabel 'restitution'\n"
-            "set ylabel 'time step, s'\nset logscale y\nset format y '10^{%T}'\nset mytics 10\nset xrange [0.15:1.02]\nset key bottom right\nplot "
+            "set ylabel 'time step, s'\nset logscale y\nset format y '10^{%T}'\nset mytics 10\nset xrange [0.15:1.02]\nset key at graph 0.98, 0.5\nplot "
             + ", ".join(curves),
             out / "limits",
         )
@@ -63,6 +63,7 @@ def draw_decays(content, out):
             curves.append(f"'{file}' with lines linewidth 2 linecolor '{color}' title '{step} s'")
         gnuplot(
             f"set title '{content['case']}: kinetic energy from its own start' noenhanced\nset xlabel 'time, s'\nset ylabel 'kinetic energy, J'\n"
+            f"set xrange [0:{content['duration']}]\n"
             "set logscale y\nset format y '10^{%T}'\nset key outside right top title 'time step'\nplot " + ", ".join(curves),
             out / "decay",
         )
@@ -71,17 +72,19 @@ def draw_decays(content, out):
 def draw_grazing(content, out):
     with tempfile.TemporaryDirectory() as folder:
         curves = []
-        rows = content["grazing"]
+        rows = [r for r in content["grazing"] if r["contact"] == "pair"]
         own = content["own_poisson_ratio"]
-        for color, law in enumerate(("displacement", "force", "rescale"), 1):
-            for dash, contact in ((1, "pair"), (2, "wall")):
-                chosen = [r for r in rows if r["tangential law"] == law and r["contact"] == contact and r["poisson ratio"] == own]
-                file = data(folder, f"{law}-{contact}.dat", [(r["degrees from the normal"], 100 * float(r["created / kinetic energy"])) for r in chosen])
-                curves.append(f"'{file}' with lines linewidth 2 dashtype {dash} linecolor {color} title '{law}, {contact}'")
+        kinds = [("displacement", nu) for nu in dict.fromkeys(r["poisson ratio"] for r in rows)] + [("force", own), ("rescale", own)]
+        for color, (law, nu) in enumerate(kinds, 1):
+            chosen = [r for r in rows if r["tangential law"] == law and r["poisson ratio"] == nu]
+            points = [(r["degrees from the normal"], 100 * float(r["gained / tangential energy"])) for r in chosen]
+            file = data(folder, f"{law}-{nu}.dat", points)
+            dash = 1 if law == "displacement" else 2
+            curves.append(f"'{file}' with lines linewidth 2 dashtype {dash} linecolor {color} title '{law}, k_t/k_n = {float(chosen[0]['k_t / k_n']):.2f}' noenhanced")
         gnuplot(
-            f"set title '{content['case']}: energy that a tangential law creates in one impact without damping' noenhanced\n"
-            "set xlabel 'angle of incidence from the normal, degrees'\nset ylabel 'created, % of the kinetic energy'\n"
-            "set xzeroaxis linecolor 'black'\nset key bottom right\nplot " + ", ".join(curves),
+            f"set title '{content['case']}: kinetic energy gained in one impact of a pair without damping' noenhanced\n"
+            "set xlabel 'angle of incidence from the normal, degrees'\nset ylabel 'gained, % of the tangential energy'\nset logscale x\n"
+            "set xrange [0.25:90]\nset xzeroaxis linecolor 'black'\nset key bottom left\nplot " + ", ".join(curves),
             out / "grazing",
         )
 

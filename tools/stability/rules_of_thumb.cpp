@@ -23,6 +23,7 @@ std::vector<Rule> rules_of_thumb(const program::CaseFacts& facts, double youngs_
   if (contacts.empty()) return rules;
 
   const auto springs = springs_of(contacts, facts.normal, facts.pair_contact, facts.wall_contact);
+  const SpringNetwork network{facts.particle_count, facts.mass, springs};
   const auto stiffest = std::max_element(
       springs.begin(), springs.end(), [](const Spring& a, const Spring& b) { return a.at.stiffness < b.at.stiffness; });
   const double cundall = 2 * std::sqrt(facts.mass / stiffest->at.stiffness);
@@ -34,16 +35,13 @@ std::vector<Rule> rules_of_thumb(const program::CaseFacts& facts, double youngs_
   for (const Spring& s : springs) {
     Spring alone = s;
     alone.owner = 0, alone.partner = s.partner >= 0 ? 1 : s.partner;
-    shortest = std::min(shortest, undamped_critical_step(tangent(2, facts.mass, {alone})));
+    shortest = std::min(shortest, undamped_critical_step({2, facts.mass, {alone}}, Springs::all));
   }
   rules.push_back({"all springs of the stiffest single contact", shortest});
-  rules.push_back({"normal springs only, of all contacts",
-                   undamped_critical_step(tangent(facts.particle_count, facts.mass, springs, Springs::normal))});
-  rules.push_back({"all springs of all contacts, no damping",
-                   undamped_critical_step(tangent(facts.particle_count, facts.mass, springs))});
+  rules.push_back({"normal springs only, of all contacts", undamped_critical_step(network, Springs::normal)});
+  rules.push_back({"all springs of all contacts, no damping", undamped_critical_step(network, Springs::all)});
   for (const program::StepCriterion& c : program::step_criteria)
-    rules.push_back({std::string("all springs and dampers: ") + c.name,
-                     critical_step(tangent(facts.particle_count, facts.mass, springs), c)});
+    rules.push_back({std::string("all springs and dampers: ") + c.name, critical_step(network, c)});
   rules.push_back({"bound of the running program: blocks of single particles",
                    program::stable_step(facts, program::criterion_of(facts.integrator), contacts).seconds});
   return rules;

@@ -1,6 +1,7 @@
 #include "tangent.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/Sparse>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -56,20 +57,13 @@ class Assembler {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
-}  // namespace
+struct Tangent {
+  Matrix stiffness, normal_damping, tangential_damping;
+};
 
-std::vector<Spring> springs_of(const std::vector<Contact>& contacts, NormalLaw law,
-                               const program::ContactCoefficients& pair, const program::ContactCoefficients& wall) {
-  std::vector<Spring> springs;
-  for (const Contact& c : contacts)
-    springs.push_back({c.owner,
-                       c.partner,
-                       {c.normal[0], c.normal[1], c.normal[2]},
-                       program::tangent_spring(law, c.partner >= 0 ? pair : wall, c.overlap)});
-  return springs;
-}
-
-Tangent tangent(int particle_count, double mass, const std::vector<Spring>& springs, Springs kind) {
+Tangent tangent(const SpringNetwork& network, Springs kind) {
+  const double mass = network.mass;
+  const std::vector<Spring>& springs = network.springs;
   Assembler stiffness(springs.size()), normal_damping(springs.size()), tangential_damping(springs.size());
   const double turning = std::sqrt(2.5);  // r / sqrt(I / m)
   for (const Spring& s : springs) {
@@ -100,17 +94,32 @@ Tangent tangent(int particle_count, double mass, const std::vector<Spring>& spri
       tangential_damping.add(s.at.tangential_damping / mass, slip);
     }
   }
-  const int size = 6 * particle_count;
+  const int size = 6 * network.particle_count;
   return {stiffness.matrix(size), normal_damping.matrix(size), tangential_damping.matrix(size)};
 }
 
-double undamped_critical_step(const Tangent& t) {
+}  // namespace
+
+std::vector<Spring> springs_of(const std::vector<Contact>& contacts, NormalLaw law,
+                               const program::ContactCoefficients& pair, const program::ContactCoefficients& wall) {
+  std::vector<Spring> springs;
+  for (const Contact& c : contacts)
+    springs.push_back({c.owner,
+                       c.partner,
+                       {c.normal[0], c.normal[1], c.normal[2]},
+                       program::tangent_spring(law, c.partner >= 0 ? pair : wall, c.overlap)});
+  return springs;
+}
+
+double undamped_critical_step(const SpringNetwork& network, Springs kind) {
+  const Tangent t = tangent(network, kind);
   if (t.stiffness.nonZeros() == 0) return std::numeric_limits<double>::infinity();
   Vector mode = start_vector(t.stiffness.rows());
   return 2 / std::sqrt(greatest(t.stiffness, mode));
 }
 
-double critical_step(const Tangent& t, const program::StepCriterion& criterion) {
+double critical_step(const SpringNetwork& network, const program::StepCriterion& criterion) {
+  const Tangent t = tangent(network, Springs::all);
   if (t.stiffness.nonZeros() == 0) return std::numeric_limits<double>::infinity();
   const Matrix damping =
       criterion.normal_damping * t.normal_damping + criterion.tangential_damping * t.tangential_damping;

@@ -13,7 +13,6 @@
 // faster, but takes longer to compile than everything else here.
 #pragma once
 
-#include <Eigen/Sparse>
 #include <vector>
 
 #include "tools/run/stability_watch.hpp"
@@ -30,18 +29,19 @@ struct Spring {
 std::vector<Spring> springs_of(const std::vector<Contact>&, NormalLaw, const program::ContactCoefficients& pair,
                                const program::ContactCoefficients& wall);
 
-struct Tangent {
-  Eigen::SparseMatrix<double> stiffness, normal_damping, tangential_damping;
+/// The springs of so many particles of that mass (kg).
+struct SpringNetwork {
+  int particle_count;
+  double mass;
+  std::vector<Spring> springs;
 };
+
+/// s; infinite without contacts.
+double critical_step(const SpringNetwork&, const program::StepCriterion&);
 
 /// Which springs to take: all, or normal ones only (no rotation), which is one of the rules of thumb.
 enum class Springs { all, normal };
-
-Tangent tangent(int particle_count, double mass, const std::vector<Spring>&, Springs kind = Springs::all);
-
-/// s; infinite without contacts.
-double critical_step(const Tangent&, const program::StepCriterion&);
 /// Without any damping: 2 / greatest angular frequency.
-double undamped_critical_step(const Tangent&);
+double undamped_critical_step(const SpringNetwork&, Springs);
 
 }  // namespace fixdem::stability
