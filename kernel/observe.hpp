@@ -134,7 +134,7 @@ void for_each_observed(const State<Case>& s, F&& f) {
     see_walls(
         contacts.ends,
         [](const double* x, Vec3<double>& n) {
-          return EndSurfaces<Case>::resolve(EndSurfaces<Case>::separation(Vec3<double>{x[0], x[1], x[2]}), n);
+          return EndSurfaces<Case>::resolve(EndSurfaces<Case>::separation(Vec3<double>{x[0], x[1], x[2]}), 0.0, n);
         },
         [](const Vec3<double>& n) { return n.z < 0 ? start_end : far_end; });
 }
