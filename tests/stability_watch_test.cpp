@@ -12,10 +12,14 @@
 
 #include "cases/settle.hpp"
 #include "program_run.hpp"
+#include "tools/run/failure.hpp"
+#include "tools/run/time_loop.hpp"
 
 using namespace fixdem;
 using namespace fixdem::program;
 using fixdem::tests::contains;
+using fixdem::tests::read_bytes;
+using fixdem::tests::scratch;
 
 namespace {
 
@@ -107,4 +111,63 @@ TEST_CASE("stability watch: warns once, stops beyond the limit, and takes no num
   StabilityWatch deep(facts);
   CHECK_FALSE(deep.look(0.5, touching, nan));
   CHECK(contains(deep.take_warning(), "overlap by nan"));
+}
+
+namespace {
+
+/// Nothing moves, and from the given step on two spheres touch.
+class Standing final : public SimulationView {
+ public:
+  explicit Standing(long long touching_from) : touching_from_(touching_from) {}
+  void place(int, const Particle&) override {}
+  Status start() override { return {}; }
+  void restore_history(int, int, const double (&)[3]) override {}
+  Status run(long long steps) override { return step_ += steps, Status{}; }
+  long long step() const override { return step_; }
+  double time() const override { return static_cast<double>(step_) * 1e-4; }
+  Particle particle(int) const override { return {}; }
+  int image(int) const override { return 0; }
+  std::vector<Contact> contacts() const override {
+    return step_ < touching_from_ ? std::vector<Contact>{} : std::vector<Contact>{contact(5, 6, overlap)};
+  }
+  Observation observe() const override { return {}; }
+  Energy energy() const override { return {}; }
+  double pressure_gradient(int) const override { return 0; }
+  double pressure_drop() const override { return 0; }
+  std::vector<CapacityUse> capacities() const override { return {}; }
+
+ private:
+  long long touching_from_, step_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("stability watch: a run whose step is far too large ends with 5, says so, and leaves no final state") {
+  CaseFacts facts = case_facts<cases::settle>();
+  facts.time_step = 1e-4;  // some 5 stable steps
+  facts.log_interval = 0.01, facts.frame_interval = 0;
+  for (const long long touching_from : {0, 250}) {
+    Options options;
+    options.out = scratch("too_large_a_step");
+    options.duration = 0.1, options.quiet = true;
+    std::filesystem::remove_all(options.out);
+    prepare_folder(options.out);
+    Standing view(touching_from);
+    int code = 0;
+    std::string message;
+    try {
+      code = TimeLoop(view, facts, options).run();
+    } catch (const Failure& failure) {
+      code = failure.code(), message = failure.what();
+    }
+    CHECK(code == exit_unstable);
+    const std::string step = touching_from == 0 ? "0" : "300";  // the first row of the log that sees them
+    CHECK(contains(message, "stopped at step " + step + ":"));
+    CHECK(contains(message, "particle 5"));
+    CHECK(contains(message, "try [run] time_step = "));
+    CHECK(nlohmann::json::parse(read_bytes(options.out / "summary.json"))["status"] == "time_step_too_large");
+    CHECK(contains(read_bytes(options.out / "log.csv"), "," + step + ","));
+    CHECK(std::filesystem::exists(options.out / "frames/frame_000000.vtp"));
+    CHECK_FALSE(std::filesystem::exists(options.out / "final.fixdem"));
+  }
 }
