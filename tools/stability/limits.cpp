@@ -65,7 +65,10 @@ class Table {
 
 /// The settled bed: prediction and measurement for each integrator and several restitutions.
 void bed_limits(const Scene& bed, bool is_quick, Table& table) {
-  for (const double e : is_quick ? std::vector<double>{1, 0.9, 0.2} : std::vector<double>{1, 0.95, 0.9, 0.7, 0.5, 0.2})
+  std::vector<double> restitutions = {1, 0.95, 0.9, 0.7, 0.5, 0.2};
+  if (is_quick) restitutions = {1, 0.9, 0.2};
+  if (Case::particle_count > 300) restitutions = {1, 0.9, 0.5, 0.2};  // a step of the reference looks at all pairs
+  for (const double e : restitutions)
     for (const program::StepCriterion& criterion : program::step_criteria) {
       VariableCase::reset();
       VariableCase::has_gas = false, VariableCase::restitution = e, VariableCase::integrator = criterion.integrator;
@@ -73,7 +76,7 @@ void bed_limits(const Scene& bed, bool is_quick, Table& table) {
       const double predicted = predicted_step(contacts, criterion);
       const double bound = program::stable_step(facts_at_present(), criterion, contacts).seconds;
       const double measured =
-          measured_limit(0.9 * predicted, 1.1 * predicted, 0.001, [&] { return bed_is_stable(bed, 400); });
+          measured_limit(0.98 * predicted, 1.03 * predicted, 0.001, [&] { return bed_is_stable(bed, 400); });
       table.row("settled bed,{},{},{:.5g},{:.5g},{:.5g}", criterion.name, e, predicted, bound, measured);
     }
 }
