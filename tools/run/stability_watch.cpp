@@ -50,17 +50,17 @@ double eigenvalue_bound(const Block& stiffness, const Block& damping, double h) 
   Block a{};
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j) a[i][j] = h * h * stiffness[i][j] + h * damping[i][j];
-  const Block eighth = squared(squared(squared(a)));
+  const Block power = squared(squared(squared(squared(a))));
   double greatest = 0;
-  for (std::size_t row = 0; row < 6; ++row) greatest = std::fmax(greatest, row_sum(eighth, row));
-  return std::sqrt(std::sqrt(std::sqrt(greatest)));
+  for (std::size_t row = 0; row < 6; ++row) greatest = std::fmax(greatest, row_sum(power, row));
+  return std::sqrt(std::sqrt(std::sqrt(std::sqrt(greatest))));
 }
 
 /// Positive weights of particles, greater the stiffer they and their neighbours are held: a few products with the graph
 /// of contacts, from equal weights. The bound holds for any; these make it tight where few particles are stiffest.
 std::vector<double> weights_of(int particle_count, const std::vector<Contact>& contacts,
                                const std::vector<double>& held) {
-  constexpr int products = 3;
+  constexpr int products = 2;  // more favour a few contacts too much
   std::vector<double> weight(static_cast<std::size_t>(particle_count), 1.0);
   for (int k = 0; k < products; ++k) {
     std::vector<double> next(weight.size(), 0.0);

@@ -6,8 +6,8 @@
 // (1 + q) |a|^2 + (1 + 1/q) |b|^2, so a pair is at most as stiff as its two particles each held by a wall in its place,
 // 1 + q and 1 + 1/q times as stiff: 6 x 6 blocks of single particles bound the whole matrix. With A(h) = h^2 K + h C of
 // a block (C with the integrator's factors, step_criteria.hpp), row sums of absolute values bound its greatest
-// eigenvalue, and so does the eighth root of those of A^8, much more tightly. The step starts where row sums a of K and
-// b of C give a h^2 + b h = 4; since A(t h) is at most t^2 A(h) for t > 1, it may then be raised to h sqrt(4 /
+// eigenvalue, and so does the sixteenth root of those of A^16, much more tightly. The step starts where row sums a of K
+// and b of C give a h^2 + b h = 4; since A(t h) is at most t^2 A(h) for t > 1, it may then be raised to h sqrt(4 /
 // bound(h)), again and again. The smallest step of all particles is the stable step: never above the true limit, and
 // 0.7 to 0.9 of it on a settled bed (`make stability`).
 //

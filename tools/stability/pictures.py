@@ -84,7 +84,7 @@ def draw_grazing(content, out):
         gnuplot(
             f"set title '{content['case']}: kinetic energy gained in one impact of a pair without damping' noenhanced\n"
             "set xlabel 'angle of incidence from the normal, degrees'\nset ylabel 'gained, % of the tangential energy'\nset logscale x\n"
-            "set xrange [0.25:90]\nset xzeroaxis linecolor 'black'\nset key bottom left\nplot " + ", ".join(curves),
+            "set xrange [0.25:90]\nset xzeroaxis linecolor 'black'\nset key below\nplot " + ", ".join(curves),
             out / "grazing",
         )
 
