@@ -16,6 +16,7 @@ ifneq ($(filter default undefined,$(origin CXX)),)
 CXX := g++
 endif
 CASE ?= plug_u24
+QUICK ?=
 ARCH ?= native
 LANES ?=
 SEED ?=
@@ -29,6 +30,7 @@ case_given := $(filter command environment,$(origin CASE))
 
 include tools/make/variant.mk
 include tools/make/rules.mk
+include tools/make/stability.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
@@ -120,6 +122,14 @@ bench-peers:  ## fixdem beside LAMMPS and LIGGGHTS, same scenes, one core; LMP=/
 	+@$(MAKE) final-state CASE=pipe_bed OUT= SEED= ARGS=
 	tools/peers/bench_peers.py --programs $(peers)/bin --headers $(peers)/cases --settled out/pipe_bed/final.fixdem \
 	  --out out/peers --readme bench/README.md $(if $(LMP),--lmp '$(LMP)') $(if $(JSON),--json '$(JSON)')
+
+.PHONY: stability
+stability_out = $(if $(QUICK),$(stability)/page,bench/reports/$(case_name))
+stability:  ## how far CASE is from instability: page, tables and pictures in bench/reports/CASE; QUICK=1 is the part of it in make test
+	$(needs) run test $(if $(QUICK),,report)
+	+@$(MAKE) final-state CASE='$(case_file)' OUT= SEED= ARGS=
+	+tools/stability/stability.py --case-file $(case_file) --casegen $(casegen) --folder $(stability) --results $(usual) \
+	  --make '$(MAKE) $(parallel) CASE=$(case_file)' --out $(stability_out) $(if $(QUICK),--quick)
 
 .PHONY: check
 check:  ## formatting, clang-tidy, and the tests under address and undefined-behaviour sanitizers

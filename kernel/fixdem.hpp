@@ -143,7 +143,10 @@ class Simulation {
     const Observation o = observe();
     Energy e{};
     e.kinetic = o.kinetic_translation + o.kinetic_rotation;
-    detail::for_each_observed(s_, [&](const detail::Observed<Case>& seen) { e.elastic += seen.elastic; });
+    detail::for_each_observed(s_, [&](const detail::Observed<Case>& seen) {
+      e.elastic += seen.elastic;
+      e.elastic_tangential += seen.elastic_tangential;
+    });
     if constexpr (Case::energy_ledger) {
       for (const Watch<Case>& watch : s_.watch) {
         e.dissipated_damping += D::mass * sum_of(watch.ledger.damping_power);

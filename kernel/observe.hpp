@@ -36,6 +36,7 @@ struct Observation {
 /// Works are since the start; joules.
 struct Energy {
   double kinetic, elastic, dissipated_damping, dissipated_sliding, gravity_work, gas_work;
+  double elastic_tangential;  ///< the part of `elastic` that tangential springs hold
 };
 
 namespace detail {
@@ -44,6 +45,7 @@ template <class Case>
 struct Observed {
   Contact contact;
   double elastic;  ///< J, normal and tangential
+  double elastic_tangential;
 };
 
 /// One contact from its geometry and relative motion.
@@ -82,8 +84,9 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
         shown = add_scaled(spring, 0.5 * Case::time_step * (keeps_displacement ? 1 : k.tangential_stiffness), slip);
     c.history[0] = unit * shown.x, c.history[1] = unit * shown.y, c.history[2] = unit * shown.z;
     const double square = dot(spring, spring);
-    seen.elastic +=
+    seen.elastic_tangential =
         0.5 * to_newton * (keeps_displacement ? k.tangential_stiffness * square : square / k.tangential_stiffness);
+    seen.elastic += seen.elastic_tangential;
   }
   return seen;
 }

@@ -104,6 +104,10 @@ inline const std::vector<BadCase> bad_cases = {
      "duration = 1.2\nmax_overlap = 1.0",
      "1.0\nintegrator",
      {"max_overlap = 1 in [run]", "above 0 and below 1"}},
+    {"duration = 1.2",
+     "duration = 1.2\nstability_limit = 0",
+     "0\n[capacity]",
+     {"stability_limit = 0 in [run]", "above 0, or inf"}},
     {"seed = 3", "seed = -3", "-3", {"seed = -3 in [start]", "at least 0"}},
     // words
     {"ends = \"periodic\"",

@@ -56,10 +56,11 @@ TEST_CASE("program: a short run of every shipped case") {
     REQUIRE_MESSAGE(run.exit_code == 0, run.standard_error);
     const json s = run.summary();
     check_keys(s, {"case", "case_hash", "features", "precision", "integrator", "time_step", "steps", "status", "final",
-                   "energy", "capacity", "performance", "plug", "collision", "particles"});
+                   "stability", "energy", "capacity", "performance", "plug", "collision", "particles"});
     check_keys(s["final"], {"time", "kinetic_energy", "contacts", "coordination_number", "max_overlap", "max_speed",
                             "mean_axial_velocity", "mean_height", "state_hash"});
-    check_keys(s["energy"], {"kinetic", "elastic", "dissipated", "gravity_work", "gas_work", "balance_error"});
+    check_keys(s["energy"],
+               {"kinetic", "elastic", "elastic_tangential", "dissipated", "gravity_work", "gas_work", "balance_error"});
     check_keys(s["performance"], {"wall_time", "particle_steps_per_second"});
     for (const auto& use : s["capacity"]) CHECK(use["high_water"] <= use["limit"]);
     CHECK(s["case"] == name);

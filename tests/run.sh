@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the test program, one process per source file and as many at a time as there are cores, then the files that must
-# not compile, the scenes that must be identical and the tests of tools/peers; ends with one line, `N passed, M failed`.
-# The output of a source file is shown when something in it fails.
+# not compile, the scenes that must be identical, the tests of tools/peers and the quick form of make stability; ends with
+# one line, `N passed, M failed`. The output of a source file is shown when something in it fails.
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
 # Environment: IDENTICAL, names of the programs in BUILD_FOLDER/identical that are compared, separated by
@@ -47,5 +47,13 @@ tests/compile_fail/run.sh "$reports/compile_fail.count" "$@" || true
 echo "0 1" >"$reports/peers.count"  # if it ends before it counts
 tests/peers_test.py "$reports/peers.count" >"$reports/peers.txt" 2>&1 || cat "$reports/peers.txt"
 printf 'tests/%-28s %3d passed, %d failed\n' peers_test.py $(cat "$reports/peers.count")
+
+# Limits of the time step and extreme scenes of `settle`: the quick form of make stability.
+echo "0 1" >"$reports/stability.count"
+"$build/bin/settle" --out "$build/stability/settle/run" --quiet --no-frames >"$reports/stability.txt" 2>&1 &&
+  tools/stability/stability.py --quick --case-file cases/settle.toml --casegen "$build/casegen" --folder "$build/stability/settle" \
+    --results "$build/stability/settle/run" --out "$build/stability/settle/page" --jobs "$cores" --count "$reports/stability.count" \
+    >>"$reports/stability.txt" 2>&1 || cat "$reports/stability.txt"
+printf 'tests/%-28s %3d passed, %d failed\n' 'make stability QUICK=1' $(cat "$reports/stability.count")
 
 cat "$reports"/*.count | awk '{ passed += $1; failed += $2 } END { print passed + 0 " passed, " failed + 0 " failed"; exit passed == 0 || failed > 0 }'

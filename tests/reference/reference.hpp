@@ -274,11 +274,13 @@ class Reference {
     ++step_;
   }
 
-  static inline const Scalar dt = Case::time_step;
   static inline const Scalar length = Case::pipe_length;
-  static inline const SphereProperties<Scalar> sphere = sphere_properties<Case, Scalar>();
-  static inline const Coefficients<Scalar> between_spheres = pair_coefficients<Case, Scalar>();
-  static inline const Coefficients<Scalar> at_wall = wall_coefficients<Case, Scalar>();
+
+  // Members, because the values of a case may be variables (tools/stability tries one time step after another).
+  Scalar dt = Case::time_step;
+  SphereProperties<Scalar> sphere = sphere_properties<Case, Scalar>();
+  Coefficients<Scalar> between_spheres = pair_coefficients<Case, Scalar>();
+  Coefficients<Scalar> at_wall = wall_coefficients<Case, Scalar>();
 
   std::vector<Sphere> spheres_;
   std::map<Key, Touching> contacts_;

@@ -73,6 +73,8 @@ struct CaseValues {
   Vector3 gravity{0, -9.81, 0};  // m/s2
   double reference_speed = 0;    // m/s
   double max_overlap = 0.5;      // in particle radii
+  double overlap_warning = 0.1;  // in particle radii
+  double stability_limit = 1.5;  // in stable steps
 
   std::int64_t neighbour_capacity = 14;
   std::int64_t tile_steps = 0;  // 0: the kernel chooses

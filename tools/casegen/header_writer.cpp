@@ -122,6 +122,8 @@ void write_program(Members& members, const CaseValues& v) {
   members.real("sample_interval", v.sample_interval, "s");
   members.flag("dump", v.dump);
   members.real("reference_speed", v.reference_speed, "m/s");
+  members.real("overlap_warning", v.overlap_warning, "radii");
+  members.real("stability_limit", v.stability_limit, "stable steps");
   members.choice("StartKind", "start", !v.start_from.empty() ? "from" : v.placed.empty() ? "random" : "placed");
   members.add("unsigned long long", "seed", fmt::format("{}ULL", v.seed), "");
   members.real("start_velocity", v.start_velocity, "m/s, greatest component");

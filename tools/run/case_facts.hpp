@@ -10,6 +10,12 @@
 
 namespace fixdem::program {
 
+/// Springs and dampers of one kind of contact (kernel/case.hpp): factors of overlap^(3/2), ^(1/2) and ^(1/4) with
+/// Hertz, N/m and kg/s with the linear law.
+struct ContactCoefficients {
+  double stiffness, tangential_stiffness, damping, tangential_damping;
+};
+
 struct CaseFacts {
   const char* name;
   const char* title;
@@ -26,7 +32,9 @@ struct CaseFacts {
   double time_step, duration;
   double log_interval, frame_interval, sample_interval;
   double reference_speed;
-  double max_overlap;  ///< in radii
+  double max_overlap;      ///< in radii; the kernel stops beyond
+  double overlap_warning;  ///< in radii
+  double stability_limit;  ///< of the time step, in stable steps (stability_watch.hpp)
   bool dump, energy_ledger;
 
   NormalLaw normal;
@@ -38,6 +46,7 @@ struct CaseFacts {
   Integrator integrator;
   Precision precision;
   double stiffness_pair, stiffness_wall;  ///< N/m^1.5 (hertz) or N/m (linear): only for advice about the time step
+  ContactCoefficients pair_contact, wall_contact;
 
   StartKind start;
   unsigned long long seed;
@@ -94,12 +103,16 @@ constexpr CaseFacts case_facts() {
   f.time_step = Case::time_step, f.duration = Case::duration;
   f.log_interval = Case::log_interval, f.frame_interval = Case::frame_interval;
   f.sample_interval = Case::sample_interval, f.reference_speed = Case::reference_speed;
-  f.max_overlap = Case::max_overlap, f.dump = Case::dump, f.energy_ledger = Case::energy_ledger;
+  f.max_overlap = Case::max_overlap, f.overlap_warning = Case::overlap_warning;
+  f.stability_limit = Case::stability_limit;
+  f.dump = Case::dump, f.energy_ledger = Case::energy_ledger;
   f.normal = Case::normal, f.tangential = Case::tangential, f.slider = Case::slider;
   f.damping_mass = Case::damping_mass, f.damping = Case::damping;
   f.bed_height = Case::gas_bed_height, f.integrator = Case::integrator;
   f.precision = Case::precision;
   f.stiffness_pair = D::stiffness_pair, f.stiffness_wall = D::stiffness_wall;
+  f.pair_contact = {D::stiffness_pair, D::tangential_stiffness_pair, D::damping_pair, D::tangential_damping_pair};
+  f.wall_contact = {D::stiffness_wall, D::tangential_stiffness_wall, D::damping_wall, D::tangential_damping_wall};
   f.start = Case::start, f.seed = Case::seed, f.start_velocity = Case::start_velocity;
   f.start_keeps_motion = Case::start_keeps_motion, f.start_from = Case::start_from, f.placed = Case::placed;
   f.instruction_set = compiled_instruction_set();

@@ -27,6 +27,7 @@ void for_each_column(const CaseFacts& facts, const LogRow& row, Visitor&& column
   column("max speed [m/s]", o.max_speed);
   column("mean axial velocity [m/s]", o.mean_axial_velocity);
   column("mean height [m]", o.mean_height);
+  column("time step / stable step", row.step_ratio);
   if (facts.has_gas) {
     column("pressure drop [Pa]", row.plug.pressure_drop);
     column("plug front [m]", row.plug.front);
@@ -36,6 +37,7 @@ void for_each_column(const CaseFacts& facts, const LogRow& row, Visitor&& column
   }
   if (facts.energy_ledger) {
     column("elastic energy [J]", row.energy.elastic);
+    column("elastic energy of tangential springs [J]", row.energy.elastic_tangential);
     column("dissipated by damping [J]", row.energy.dissipated_damping);
     column("dissipated by sliding [J]", row.energy.dissipated_sliding);
     column("gravity work [J]", row.energy.gravity_work);

@@ -20,6 +20,7 @@ struct LogRow {
   Observation observation{};
   Energy energy{};
   double balance_error = 0;
+  double step_ratio = 0;  ///< time step / stable step (stability_watch.hpp)
   PlugSample plug{};
 };
 

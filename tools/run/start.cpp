@@ -63,7 +63,9 @@ StoredState load(const CaseFacts& facts, const Options& options) {
   return state;
 }
 
-void check(const CaseFacts& facts, const Status& status) {
+}  // namespace
+
+void check_started(const CaseFacts& facts, const Status& status) {
   if (status.ok()) return;
   const ExitCode code = fault_exit_code(status.fault) == exit_capacity ? exit_capacity : exit_bad_input;
   throw Failure(code,
@@ -72,8 +74,6 @@ void check(const CaseFacts& facts, const Status& status) {
                                            : std::string("change [start] so that every particle lies inside the "
                                                          "pipe and none overlap by more than [run] max_overlap")));
 }
-
-}  // namespace
 
 void start_simulation(SimulationView& view, const CaseFacts& facts, const Options& options) {
   StoredState state;
@@ -102,7 +102,7 @@ void start_simulation(SimulationView& view, const CaseFacts& facts, const Option
   }
 
   for (int id = 0; id < facts.particle_count; ++id) view.place(id, state.particles[static_cast<std::size_t>(id)]);
-  check(facts, view.start());
+  check_started(facts, view.start());
   for (const StoredHistory& h : state.histories) {
     // Walls that this case does not have took their history with them.
     if (h.partner == -1 && !facts.has_wall) continue;

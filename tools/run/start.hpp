@@ -11,4 +11,7 @@ namespace fixdem::program {
 
 void start_simulation(SimulationView&, const CaseFacts&, const Options&);
 
+/// Throws that Failure when the kernel has refused to start.
+void check_started(const CaseFacts&, const Status&);
+
 }  // namespace fixdem::program

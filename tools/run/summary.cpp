@@ -26,6 +26,7 @@ Json energy(const CaseFacts& facts, const Outcome& outcome) {
   const auto entry = [&facts](double value) { return facts.energy_ledger ? number(value) : Json(nullptr); };
   return {{"kinetic", number(outcome.observation.kinetic_translation + outcome.observation.kinetic_rotation)},
           {"elastic", number(e.elastic)},
+          {"elastic_tangential", number(e.elastic_tangential)},
           {"dissipated", entry(dissipated(e))},
           {"gravity_work", number(e.gravity_work)},
           {"gas_work", facts.has_gas ? entry(e.gas_work) : Json(nullptr)},
@@ -91,6 +92,7 @@ std::string encode_summary(const CaseFacts& facts, const Options& options, const
                           {"mean_axial_velocity", number(o.mean_axial_velocity)},
                           {"mean_height", number(o.mean_height)},
                           {"state_hash", state_hash(outcome.snapshot)}}},
+                        {"stability", {{"greatest_step_ratio", number(outcome.greatest_step_ratio)}}},
                         {"energy", energy(facts, outcome)},
                         {"capacity", capacity},
                         {"performance",

@@ -18,6 +18,7 @@ struct Outcome {
   Snapshot snapshot;
   Observation observation{};
   Energy start_energy{}, energy{};
+  double greatest_step_ratio = 0;  ///< time step / stable step, of all rows of the log
   std::vector<CapacityUse> capacities;
   double wall_time = 0;    ///< of the time loop with its outputs, s
   double kernel_time = 0;  ///< inside the kernel, s

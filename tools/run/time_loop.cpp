@@ -40,6 +40,7 @@ TimeLoop::TimeLoop(SimulationView& view, const CaseFacts& facts, const Options& 
       total_steps_(std::llround(options.duration / facts.time_step)),
       start_energy_(view.energy()),
       log_file_(options.out / "log.csv", facts),
+      watch_(facts),
       plugs_(facts.pipe_length),
       progress_(facts, total_steps_, options.quiet),
       log_schedule_(facts.log_interval, facts.time_step),
@@ -57,7 +58,7 @@ int TimeLoop::run() {
   int signal = 0;
   long long step = 0;
   output(step, total_steps_ == 0);
-  while (step < total_steps_) {
+  while (step < total_steps_ && !step_is_too_large_) {
     const long long due =
         std::min({log_schedule_.next(), frame_schedule_.next(), sample_schedule_.next(), total_steps_});
     status = advance(std::min(due - step, static_cast<long long>(block_steps_)));
@@ -99,7 +100,7 @@ void TimeLoop::output(long long step, bool is_last) {
   const Snapshot snapshot = take_snapshot(view_, facts_.particle_count);
   if (sample_due) plugs_.add(plug_sample(snapshot));
   if (log_due) log(snapshot);
-  if (frame_due) {
+  if (frame_due || (frames_ && step_is_too_large_)) {
     frames_->write(snapshot);
     if (dump_) dump_->append(encode_dump(snapshot, facts_));
   }
@@ -117,7 +118,13 @@ void TimeLoop::log(const Snapshot& snapshot) {
   row.balance_error = balance_error(start_energy_, row.energy);
   if (facts_.has_gas) row.plug = plug_sample(snapshot);
   if (std::isfinite(row.observation.max_speed)) greatest_speed_ = std::max(greatest_speed_, row.observation.max_speed);
+  step_is_too_large_ = watch_.look(row.time, snapshot.contacts, row.observation.max_overlap);
+  row.step_ratio = watch_.ratio();
   log_file_.write(row);
+  if (const std::string warning = watch_.take_warning(); !warning.empty()) {
+    progress_.clear();
+    std::fputs(warning.c_str(), stderr);
+  }
   if (options_.quiet) return;
   progress_.clear();
   std::fputs(table_row(facts_, row).c_str(), stdout);
@@ -136,11 +143,16 @@ PlugSample TimeLoop::plug_sample(const Snapshot& snapshot) const {
 int TimeLoop::finish(const Status& status, int signal) {
   progress_.clear();
   Outcome outcome;
-  outcome.status = !status.ok() ? fault_name(status.fault) : signal != 0 ? "interrupted" : "done";
+  const bool is_sound = status.ok() && !step_is_too_large_;
+  outcome.status = !status.ok()         ? fault_name(status.fault)
+                   : step_is_too_large_ ? "time_step_too_large"
+                   : signal != 0        ? "interrupted"
+                                        : "done";
   outcome.snapshot = take_snapshot(view_, facts_.particle_count);
   outcome.observation = view_.observe();
   outcome.start_energy = start_energy_;
   outcome.energy = view_.energy();
+  outcome.greatest_step_ratio = watch_.greatest_ratio();
   outcome.capacities = view_.capacities();
   outcome.wall_time = seconds_since(begin_);
   outcome.kernel_time = kernel_time_;
@@ -150,13 +162,13 @@ int TimeLoop::finish(const Status& status, int signal) {
   }
   if (collision_) outcome.collision = collision_->result();
 
-  if (status.ok())
+  if (is_sound)
     write_state(options_.out / "final.fixdem", stored_state(facts_, outcome.snapshot, signal == 0, options_.duration));
   write_file(options_.out / "summary.json", encode_summary(facts_, options_, outcome), Durability::durable);
   if (!options_.quiet) {
     std::string text = describe_outcome(facts_, outcome);
     text += fmt::format("results in {}: summary.json, log.csv", options_.out.string());
-    if (status.ok()) text += ", final.fixdem";
+    if (is_sound) text += ", final.fixdem";
     if (frames_ && frames_->count() > 0) text += fmt::format(", frames.pvd ({} frames)", frames_->count());
     std::fputs((text + "\n").c_str(), stdout);
   }
@@ -168,6 +180,10 @@ int TimeLoop::finish(const Status& status, int signal) {
                     grouped(status.step), static_cast<double>(status.step) * facts_.time_step,
                     fault_sentence(facts_, status), fault_advice(facts_, status, greatest_speed_),
                     options_.out.string()));
+  if (step_is_too_large_)
+    throw Failure(exit_unstable,
+                  fmt::format("stopped at step {}: {}\n  log, summary and the frame of that moment are in {}",
+                              grouped(view_.step()), watch_.stop_message(), options_.out.string()));
   if (signal != 0) {
     std::fputs(fmt::format("fixdem: interrupted by signal {} at {:.6g} s; final.fixdem holds that moment\n", signal,
                            outcome.snapshot.time)

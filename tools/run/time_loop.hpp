@@ -2,8 +2,9 @@
 //
 // A block ends at the next due output, and after about a tenth of a second of wall time, so that signals are answered
 // and progress is shown; results do not depend on where blocks end. Scenes of one or two particles are followed step
-// by step for their collision. After a fault the log, a last frame and the summary are still written, the final state
-// is not; after a signal everything is.
+// by step for their collision. At every row of the log the time step is compared with what the contacts of that moment
+// allow (stability_watch.hpp). After a fault, or where the step is far too large, the log, a last frame and the summary
+// are still written, the final state is not; after a signal everything is.
 #pragma once
 
 #include <chrono>
@@ -17,6 +18,7 @@
 #include "plug_analysis.hpp"
 #include "progress.hpp"
 #include "schedule.hpp"
+#include "stability_watch.hpp"
 
 namespace fixdem::program {
 
@@ -46,6 +48,8 @@ class TimeLoop {
   std::optional<FrameWriter> frames_;
   std::optional<AppendedFile> dump_;
   std::optional<CollisionTracker> collision_;
+  StabilityWatch watch_;
+  bool step_is_too_large_ = false;
   PlugRecord plugs_;
   Progress progress_;
   Schedule log_schedule_, frame_schedule_, sample_schedule_;

@@ -1,0 +1,173 @@
+// The watch of the programs on their time step (tools/run/stability_watch.hpp), without a simulation: single contacts
+// whose limits are known in closed form, warnings, the stop, and values that are no numbers. That the bound lies
+// between 0.65 of the exact limit of a bed and that limit is checked where the exact limit is computed:
+// tools/stability.
+#include "tools/run/stability_watch.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "cases/settle.hpp"
+#include "program_run.hpp"
+#include "tools/run/failure.hpp"
+#include "tools/run/time_loop.hpp"
+
+using namespace fixdem;
+using namespace fixdem::program;
+using fixdem::tests::contains;
+using fixdem::tests::read_bytes;
+using fixdem::tests::scratch;
+
+namespace {
+
+CaseFacts facts_without_damping() {
+  CaseFacts facts = case_facts<cases::settle>();
+  for (ContactCoefficients* c : {&facts.pair_contact, &facts.wall_contact}) c->damping = c->tangential_damping = 0;
+  return facts;
+}
+
+Contact contact(int owner, int partner, double overlap) {
+  Contact c{};
+  c.owner = owner, c.partner = partner, c.overlap = overlap;
+  c.normal[0] = 0.6, c.normal[1] = 0, c.normal[2] = -0.8;
+  return c;
+}
+
+constexpr double overlap = 1e-5;
+
+}  // namespace
+
+TEST_CASE("stability watch: a sphere on a wall, and two spheres, allow what their springs do") {
+  const CaseFacts facts = facts_without_damping();
+  const StepCriterion& euler = criterion_of(Integrator::euler);
+  // Tangential springs are the stiffer: slip of the centre and of the turning surface, k_t (1/m + r^2/I) = 3.5 k_t/m.
+  const double wall = 3.5 * facts.wall_contact.tangential_stiffness * std::sqrt(overlap) / facts.mass;
+  REQUIRE(wall > 1.5 * facts.wall_contact.stiffness * std::sqrt(overlap) / facts.mass);
+  const StableStep on_wall = stable_step(facts, euler, {contact(7, -1, overlap)});
+  CHECK(on_wall.particle == 7);
+  CHECK(on_wall.seconds <= 2 / std::sqrt(wall));
+  CHECK(on_wall.seconds > 0.95 * 2 / std::sqrt(wall));
+  const double pair = 7 * facts.pair_contact.tangential_stiffness * std::sqrt(overlap) / facts.mass;
+  const StableStep of_pair = stable_step(facts, euler, {contact(3, 9, overlap)});
+  CHECK((of_pair.particle == 3 || of_pair.particle == 9));
+  CHECK(of_pair.seconds <= 2 / std::sqrt(pair));
+  CHECK(of_pair.seconds > 0.95 * 2 / std::sqrt(pair));
+}
+
+TEST_CASE("stability watch: damping takes from the step what the criterion says") {
+  CaseFacts facts = case_facts<cases::settle>();
+  facts.friction = 0;  // normal springs only: h^2 k + factor h c = 4
+  const TangentSpring s = tangent_spring(facts.normal, facts.wall_contact, overlap);
+  for (const StepCriterion& criterion : step_criteria) {
+    const double k = s.stiffness / facts.mass, c = criterion.normal_damping * s.damping / facts.mass;
+    const double exact = 8 / (c + std::sqrt(c * c + 16 * k));
+    const double bound = stable_step(facts, criterion, {contact(0, -1, overlap)}).seconds;
+    CHECK(bound <= exact * (1 + 1e-12));
+    CHECK(bound > 0.95 * exact);
+  }
+}
+
+TEST_CASE("stability watch: warns once, stops beyond the limit, and takes no number for an answer") {
+  CaseFacts facts = case_facts<cases::settle>();
+  const double allowed = stable_step(facts, criterion_of(facts.integrator), {contact(5, 6, overlap)}).seconds;
+  const std::vector<Contact> touching = {contact(5, 6, overlap)};
+
+  facts.time_step = 0.99 * allowed;
+  StabilityWatch calm(facts);
+  CHECK_FALSE(calm.look(0.1, {}, 0));
+  CHECK(calm.ratio() == 0);
+  CHECK_FALSE(calm.look(0.1, touching, overlap));
+  CHECK(calm.ratio() == doctest::Approx(0.99).epsilon(0.01));
+  CHECK(calm.take_warning().empty());
+
+  facts.time_step = 1.2 * allowed;
+  StabilityWatch warned(facts);
+  CHECK_FALSE(warned.look(0.125, touching, overlap));
+  const std::string warning = warned.take_warning();
+  CHECK(contains(warning, "warning: at 0.125 s"));
+  CHECK((contains(warning, "particle 5") || contains(warning, "particle 6")));
+  CHECK(contains(warning, "try [run] time_step = "));
+  CHECK_FALSE(warned.look(0.25, touching, overlap));
+  CHECK(warned.take_warning().empty());
+  CHECK_FALSE(warned.look(0.25, touching, 0.2 * facts.radius()));
+  CHECK(contains(warned.take_warning(), "overlap by 0.2 radii"));
+
+  facts.time_step = 1.6 * allowed;
+  StabilityWatch stopped(facts);
+  CHECK(stopped.look(0.25, touching, overlap));
+  CHECK(contains(stopped.stop_message(), "at 0.25 s"));
+  CHECK(contains(stopped.stop_message(), "limit 1.5"));
+  facts.stability_limit = std::numeric_limits<double>::infinity();
+  CHECK_FALSE(StabilityWatch(facts).look(0.25, touching, overlap));
+
+  facts.stability_limit = 1.5, facts.time_step = 2e-6;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  StabilityWatch broken(facts);
+  CHECK(broken.look(0.5, {contact(5, 6, overlap), contact(1, 2, nan), contact(3, 4, overlap)}, overlap));
+  CHECK(broken.particle() == 1);
+  StabilityWatch deep(facts);
+  CHECK_FALSE(deep.look(0.5, touching, nan));
+  CHECK(contains(deep.take_warning(), "overlap by nan"));
+}
+
+namespace {
+
+/// Nothing moves, and from the given step on two spheres touch.
+class Standing final : public SimulationView {
+ public:
+  explicit Standing(long long touching_from) : touching_from_(touching_from) {}
+  void place(int, const Particle&) override {}
+  Status start() override { return {}; }
+  void restore_history(int, int, const double (&)[3]) override {}
+  Status run(long long steps) override { return step_ += steps, Status{}; }
+  long long step() const override { return step_; }
+  double time() const override { return static_cast<double>(step_) * 1e-4; }
+  Particle particle(int) const override { return {}; }
+  int image(int) const override { return 0; }
+  std::vector<Contact> contacts() const override {
+    return step_ < touching_from_ ? std::vector<Contact>{} : std::vector<Contact>{contact(5, 6, overlap)};
+  }
+  Observation observe() const override { return {}; }
+  Energy energy() const override { return {}; }
+  double pressure_gradient(int) const override { return 0; }
+  double pressure_drop() const override { return 0; }
+  std::vector<CapacityUse> capacities() const override { return {}; }
+
+ private:
+  long long touching_from_, step_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("stability watch: a run whose step is far too large ends with 5, says so, and leaves no final state") {
+  CaseFacts facts = case_facts<cases::settle>();
+  facts.time_step = 1e-4;  // some 5 stable steps
+  facts.log_interval = 0.01, facts.frame_interval = 0;
+  for (const long long touching_from : {0, 250}) {
+    Options options;
+    options.out = scratch("too_large_a_step");
+    options.duration = 0.1, options.quiet = true;
+    std::filesystem::remove_all(options.out);
+    prepare_folder(options.out);
+    Standing view(touching_from);
+    int code = 0;
+    std::string message;
+    try {
+      code = TimeLoop(view, facts, options).run();
+    } catch (const Failure& failure) {
+      code = failure.code(), message = failure.what();
+    }
+    CHECK(code == exit_unstable);
+    const std::string step = touching_from == 0 ? "0" : "300";  // the first row of the log that sees them
+    CHECK(contains(message, "stopped at step " + step + ":"));
+    CHECK(contains(message, "particle 5"));
+    CHECK(contains(message, "try [run] time_step = "));
+    CHECK(nlohmann::json::parse(read_bytes(options.out / "summary.json"))["status"] == "time_step_too_large");
+    CHECK(contains(read_bytes(options.out / "log.csv"), "," + step + ","));
+    CHECK(std::filesystem::exists(options.out / "frames/frame_000000.vtp"));
+    CHECK_FALSE(std::filesystem::exists(options.out / "final.fixdem"));
+  }
+}

@@ -1,0 +1,199 @@
+#include "stability_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "fault_report.hpp"
+
+namespace fixdem::program {
+namespace {
+
+/// 6 x 6 block of one particle, in coordinates scaled by the root of mass and of moment of inertia.
+using Block = std::array<std::array<double, 6>, 6>;
+
+/// Adds normal * n n^T + tangential * (slip form of a contact with normal n), over the mass. The slip of a particle
+/// that moves by x and turns by r theta is (1 - n n^T) x + r theta x n; with I = 2/5 m r^2 its turning counts
+/// sqrt(5/2)-fold.
+void add_contact(Block& block, const double* n, double normal, double tangential) {
+  static const double turning = std::sqrt(2.5);
+  const double cross[3][3] = {{0, n[2], -n[1]}, {-n[2], 0, n[0]}, {n[1], -n[0], 0}};  // theta x n
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b) {
+      const double along = n[a] * n[b], across = (a == b ? 1 : 0) - along;
+      block[a][b] += normal * along + tangential * across;
+      block[3 + a][3 + b] += 2.5 * tangential * across;
+      block[a][3 + b] += turning * tangential * cross[a][b];
+      block[3 + b][a] += turning * tangential * cross[a][b];
+    }
+}
+
+double row_sum(const Block& block, std::size_t row) {
+  double sum = 0;
+  for (const double entry : block[row]) sum += std::fabs(entry);
+  return sum;
+}
+
+Block squared(const Block& a) {
+  Block product{};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t k = 0; k < 6; ++k)
+      for (std::size_t j = 0; j < 6; ++j) product[i][j] += a[i][k] * a[k][j];
+  return product;
+}
+
+/// Bound on the greatest eigenvalue of h^2 stiffness + h damping.
+double eigenvalue_bound(const Block& stiffness, const Block& damping, double h) {
+  Block a{};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) a[i][j] = h * h * stiffness[i][j] + h * damping[i][j];
+  const Block power = squared(squared(squared(squared(a))));
+  double greatest = 0;
+  for (std::size_t row = 0; row < 6; ++row) greatest = std::fmax(greatest, row_sum(power, row));
+  return std::sqrt(std::sqrt(std::sqrt(std::sqrt(greatest))));
+}
+
+/// Positive weights of particles, greater the stiffer they and their neighbours are held: a few products with the graph
+/// of contacts, from equal weights. The bound holds for any; these make it tight where few particles are stiffest.
+std::vector<double> weights_of(int particle_count, const std::vector<Contact>& contacts,
+                               const std::vector<double>& held) {
+  constexpr int products = 2;  // more favour a few contacts too much
+  std::vector<double> weight(static_cast<std::size_t>(particle_count), 1.0);
+  for (int k = 0; k < products; ++k) {
+    std::vector<double> next(weight.size(), 0.0);
+    double greatest = 0;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const auto i = static_cast<std::size_t>(contacts[c].owner);
+      if (contacts[c].partner < 0) {
+        next[i] += held[c] * weight[i];
+      } else {
+        const auto j = static_cast<std::size_t>(contacts[c].partner);
+        next[i] += held[c] * (weight[i] + weight[j]);
+        next[j] += held[c] * (weight[i] + weight[j]);
+      }
+    }
+    for (const double w : next) greatest = std::fmax(greatest, w);
+    // A little of everything is kept, so that no quotient of weights overflows.
+    for (std::size_t i = 0; i < weight.size(); ++i) weight[i] = greatest > 0 ? next[i] / greatest + 1e-3 : 1;
+  }
+  return weight;
+}
+
+/// Two digits, rounded down.
+double two_digits_below(double x) {
+  if (!(x > 0) || !std::isfinite(x)) return x;
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
+  return std::floor(x / unit) * unit;
+}
+
+}  // namespace
+
+TangentSpring tangent_spring(NormalLaw law, const ContactCoefficients& c, double overlap) {
+  if (law == NormalLaw::linear) return {c.stiffness, c.tangential_stiffness, c.damping, c.tangential_damping};
+  const double root = std::sqrt(overlap), fourth_root = std::sqrt(root);
+  return {1.5 * c.stiffness * root, c.tangential_stiffness * root, c.damping * fourth_root,
+          c.tangential_damping * fourth_root};
+}
+
+StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, const std::vector<Contact>& contacts) {
+  struct Blocks {
+    Block stiffness{}, damping{};
+  };
+  std::vector<Blocks> blocks(static_cast<std::size_t>(facts.particle_count));
+  const bool rolls = facts.friction > 0;
+  std::vector<TangentSpring> springs;
+  std::vector<double> held;
+  for (const Contact& contact : contacts) {
+    springs.push_back(
+        tangent_spring(facts.normal, contact.partner >= 0 ? facts.pair_contact : facts.wall_contact, contact.overlap));
+    held.push_back(springs.back().stiffness + springs.back().tangential_stiffness +
+                   criterion.normal_damping * springs.back().damping / facts.time_step);
+  }
+  const std::vector<double> weight = weights_of(facts.particle_count, contacts, held);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = contacts[c];
+    const TangentSpring& spring = springs[c];
+    const auto add = [&](int particle, double share) {
+      Blocks& b = blocks[static_cast<std::size_t>(particle)];
+      share /= facts.mass;
+      add_contact(b.stiffness, contact.normal, share * spring.stiffness,
+                  rolls ? share * spring.tangential_stiffness : 0);
+      add_contact(b.damping, contact.normal, share * criterion.normal_damping * spring.damping,
+                  rolls ? share * criterion.tangential_damping * spring.tangential_damping : 0);
+    };
+    if (contact.partner < 0) {
+      add(contact.owner, 1);
+    } else {
+      const double quotient =
+          weight[static_cast<std::size_t>(contact.partner)] / weight[static_cast<std::size_t>(contact.owner)];
+      add(contact.owner, 1 + quotient);
+      add(contact.partner, 1 + 1 / quotient);  // the other side of n gives the same block
+    }
+  }
+  StableStep least{std::numeric_limits<double>::infinity(), -1};
+  for (int i = 0; i < facts.particle_count; ++i) {
+    const Blocks& b = blocks[static_cast<std::size_t>(i)];
+    double step = std::numeric_limits<double>::infinity();
+    for (std::size_t row = 0; row < 6; ++row) {
+      const double stiffness = row_sum(b.stiffness, row), damping = row_sum(b.damping, row);
+      if (stiffness == 0 && damping == 0) continue;
+      const double of_row = 8 / (damping + std::sqrt(damping * damping + 16 * stiffness));
+      if (of_row != of_row) return {of_row, i};  // no number: nothing is known to be stable
+      step = std::fmin(step, of_row);
+    }
+    for (double growth = 2; step < least.seconds && growth > 1.002;) {
+      growth = std::sqrt(4 / eigenvalue_bound(b.stiffness, b.damping, step));
+      step *= std::fmax(growth, 1);
+    }
+    if (step < least.seconds) least = {step, i};
+  }
+  return least;
+}
+
+bool StabilityWatch::look(double time, const std::vector<Contact>& contacts, double max_overlap) {
+  const StableStep stable = stable_step(facts_, criterion_of(facts_.integrator), contacts);
+  time_ = time, stable_ = stable.seconds, particle_ = stable.particle;
+  ratio_ = facts_.time_step / stable.seconds;  // 0 without contacts
+  if (!(ratio_ <= greatest_ratio_)) greatest_ratio_ = ratio_;
+  if (!(max_overlap <= facts_.overlap_warning * facts_.radius()) && !has_warned_of_overlap_) {
+    has_warned_of_overlap_ = true;
+    warning_ += fmt::format(
+        "fixdem: warning: at {:.6g} s contacts overlap by {:.3g} radii (warned of beyond {:.3g}): the contact law is "
+        "meant for "
+        "small overlaps\n  raise youngs_modulus, or [run] overlap_warning if this is meant\n",
+        time, max_overlap / facts_.radius(), facts_.overlap_warning);
+  }
+  if (!(ratio_ <= facts_.stability_limit)) return true;
+  if (!(ratio_ <= 1) && !has_warned_of_step_) {
+    has_warned_of_step_ = true;
+    warning_ += fmt::format(
+        "fixdem: warning: {}: the run may become unstable, or silently wrong\n  try [run] time_step = {:.2g}\n",
+        excess(time), two_digits_below(stable_));
+  }
+  return false;
+}
+
+std::string StabilityWatch::take_warning() {
+  std::string text;
+  text.swap(warning_);
+  return text;
+}
+
+std::string StabilityWatch::excess(double time) const {
+  return fmt::format(
+      "at {:.6g} s the contacts of particle {} are sure to be stable up to a time step of {:.3g} s only, and "
+      "it is {:.3g} s, {:.3g} times as much",
+      time, particle_, stable_, facts_.time_step, ratio_);
+}
+
+std::string StabilityWatch::stop_message() const {
+  return fmt::format(
+      "{} (limit {:.3g})\n  try [run] time_step = {:.2g}, a lower youngs_modulus, or, if this is meant, a higher "
+      "[run] stability_limit",
+      excess(time_), facts_.stability_limit, two_digits_below(stable_));
+}
+
+}  // namespace fixdem::program

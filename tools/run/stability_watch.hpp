@@ -1,0 +1,64 @@
+// How near a run is to instability: a cheap bound on the time step from the contacts of the moment, never above the
+// true limit, and the greatest overlap. Looked at for every row of the log.
+//
+// Each contact is a normal and a tangential spring with a damper each, taken at its present overlap (d force / d
+// overlap; sliding contacts count as sticking, which is stiffer). For vectors a, b and any q > 0, |a + b|^2 is at most
+// (1 + q) |a|^2 + (1 + 1/q) |b|^2, so a pair is at most as stiff as its two particles each held by a wall in its place,
+// 1 + q and 1 + 1/q times as stiff: 6 x 6 blocks of single particles bound the whole matrix. With A(h) = h^2 K + h C of
+// a block (C with the integrator's factors, step_criteria.hpp), row sums of absolute values bound its greatest
+// eigenvalue, and so does the sixteenth root of those of A^16, much more tightly. The step starts where row sums a of K
+// and b of C give a h^2 + b h = 4; since A(t h) is at most t^2 A(h) for t > 1, it may then be raised to h sqrt(4 /
+// bound(h)), again and again. The smallest step of all particles is the stable step: never above the true limit, and
+// 0.7 to 0.9 of it on a settled bed (`make stability`).
+//
+// Every comparison is written so that a value that is no number fails it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case_facts.hpp"
+#include "kernel/fixdem.hpp"
+#include "step_criteria.hpp"
+
+namespace fixdem::program {
+
+/// Stiffness (N/m) and damping (kg/s) of one contact at its present overlap.
+struct TangentSpring {
+  double stiffness, tangential_stiffness, damping, tangential_damping;
+};
+TangentSpring tangent_spring(NormalLaw, const ContactCoefficients&, double overlap);
+
+struct StableStep {
+  double seconds;  ///< infinite without contacts
+  int particle;    ///< whose contacts allow no more; -1 without contacts
+};
+StableStep stable_step(const CaseFacts&, const StepCriterion&, const std::vector<Contact>&);
+
+class StabilityWatch {
+ public:
+  explicit StabilityWatch(const CaseFacts& facts) : facts_(facts) {}
+
+  /// Looks at the contacts of one moment. True: the time step is beyond the limit, the run must not go on.
+  bool look(double time, const std::vector<Contact>&, double max_overlap);
+
+  double ratio() const { return ratio_; }                    ///< time step / stable step at the last look
+  double greatest_ratio() const { return greatest_ratio_; }  ///< of all looks
+  /// A warning that has just become due, or empty; each kind comes once.
+  std::string take_warning();
+  /// What is wrong and what to change, after look() has returned true.
+  std::string stop_message() const;
+  int particle() const { return particle_; }
+
+ private:
+  std::string excess(double time) const;
+
+  const CaseFacts& facts_;
+  double ratio_ = 0, greatest_ratio_ = 0, stable_ = 0, time_ = 0;
+  int particle_ = -1;
+  bool has_warned_of_step_ = false, has_warned_of_overlap_ = false;
+  std::string warning_;
+};
+
+}  // namespace fixdem::program

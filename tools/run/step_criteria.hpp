@@ -1,0 +1,35 @@
+// The stability criterion of each integrator: up to which time step small motions about a state do not grow.
+//
+// About a state with the stiffness matrix K and the damping matrices C_n (normal) and C_t (tangential), all scaled by
+// the masses, one step of h maps a motion z^k u onto itself when a polynomial in z vanishes; stability is lost through
+// z = -1, a motion that changes sign at every step. There the polynomial is
+//
+//   euler      4 u = (h^2 K + 2 h (C_n + C_t)) u         forces at the new place and the new velocity
+//   leapfrog   4 u = (h^2 K + 4 h C_n + 2 h C_t) u       damped normal velocity predicted from the two last ones
+//
+// so that h is stable while the greatest eigenvalue of the matrix on the right is below 4. Without damping both are
+// 2 / (greatest angular frequency). A new integrator is one more row.
+#pragma once
+
+#include "kernel/case.hpp"
+
+namespace fixdem::program {
+
+struct StepCriterion {
+  Integrator integrator;
+  const char* name;
+  double normal_damping, tangential_damping;  ///< factors of h C_n and h C_t
+};
+
+inline constexpr StepCriterion step_criteria[] = {
+    {Integrator::euler, "euler", 2, 2},
+    {Integrator::leapfrog, "leapfrog", 4, 2},
+};
+
+constexpr const StepCriterion& criterion_of(Integrator integrator) {
+  for (const StepCriterion& criterion : step_criteria)
+    if (criterion.integrator == integrator) return criterion;
+  return step_criteria[0];
+}
+
+}  // namespace fixdem::program

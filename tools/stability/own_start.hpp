@@ -1,0 +1,47 @@
+// The start of a case as plain particles: what its program would place, without a kernel to place them in.
+#pragma once
+
+#include "tools/run/start.hpp"
+#include "trials.hpp"
+
+namespace fixdem::stability {
+
+/// Takes down what it is given; it never moves.
+class StartRecorder final : public program::SimulationView {
+ public:
+  Scene scene;
+
+  void place(int id, const Particle& particle) override {
+    scene.particles.resize(std::max(scene.particles.size(), static_cast<std::size_t>(id) + 1));
+    scene.particles[static_cast<std::size_t>(id)] = particle;
+  }
+  Status start() override { return {}; }
+  void restore_history(int owner, int partner, const double (&h)[3]) override {
+    scene.histories.push_back({owner, partner, {h[0], h[1], h[2]}});
+  }
+  Status run(long long) override { return {}; }
+  long long step() const override { return 0; }
+  double time() const override { return 0; }
+  Particle particle(int id) const override { return scene.particles[static_cast<std::size_t>(id)]; }
+  int image(int) const override { return 0; }
+  std::vector<Contact> contacts() const override { return {}; }
+  Observation observe() const override { return {}; }
+  Energy energy() const override { return {}; }
+  double pressure_gradient(int) const override { return 0; }
+  double pressure_drop() const override { return 0; }
+  std::vector<program::CapacityUse> capacities() const override { return {}; }
+};
+
+/// The start of the case; a case that starts from another one finds its final state in out/.
+inline Scene own_start() {
+  const program::CaseFacts facts = program::case_facts<Case>();
+  program::Options options;
+  options.out = std::string("out/") + facts.name;
+  options.seed = facts.seed;
+  options.quiet = true;
+  StartRecorder recorder;
+  program::start_simulation(recorder, facts, options);
+  return recorder.scene;
+}
+
+}  // namespace fixdem::stability

@@ -1,0 +1,139 @@
+#include "tangent.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/Sparse>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace fixdem::stability {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+
+/// Greatest eigenvalue of a symmetric matrix without negative ones; `vector` is the start, and the eigenvector after.
+double greatest(const Matrix& matrix, Vector& vector) {
+  constexpr int most_iterations = 3000;
+  double value = 0;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const Vector image = matrix * vector;
+    value = vector.dot(image);
+    const double residual = (image - value * vector).norm();
+    if (!(value > 0) || !std::isfinite(value)) throw std::runtime_error("the stiffness is zero or no number");
+    vector = image / image.norm();
+    if (residual < 1e-6 * value) break;
+  }
+  return value;
+}
+
+/// A start that no eigenvector is orthogonal to, but by chance: the same on every machine.
+Vector start_vector(Eigen::Index size) {
+  Vector vector(size);
+  double seed = 0.5;
+  for (Eigen::Index k = 0; k < size; ++k) {
+    seed = seed * 997 - std::floor(seed * 997) + 1e-3;
+    vector[k] = seed - 0.5;
+  }
+  return vector / vector.norm();
+}
+
+/// Collects rows of one spring: its elongation as a linear form of the coordinates of two particles.
+class Assembler {
+ public:
+  explicit Assembler(std::size_t springs) { entries_.reserve(springs * 300); }
+  /// Adds value * form form^T.
+  void add(double value, const std::vector<std::pair<int, double>>& form) {
+    for (const auto& [row, a] : form)
+      for (const auto& [column, b] : form) entries_.emplace_back(row, column, value * a * b);
+  }
+  Matrix matrix(int size) const {
+    Matrix m(size, size);
+    m.setFromTriplets(entries_.begin(), entries_.end());
+    return m;
+  }
+
+ private:
+  std::vector<Eigen::Triplet<double>> entries_;
+};
+
+struct Tangent {
+  Matrix stiffness, normal_damping, tangential_damping;
+};
+
+Tangent tangent(const SpringNetwork& network, Springs kind) {
+  const double mass = network.mass;
+  const std::vector<Spring>& springs = network.springs;
+  Assembler stiffness(springs.size()), normal_damping(springs.size()), tangential_damping(springs.size());
+  const double turning = std::sqrt(2.5);  // r / sqrt(I / m)
+  for (const Spring& s : springs) {
+    const double* n = s.normal;
+    const int from = 6 * s.owner, to = 6 * s.partner;
+    std::vector<std::pair<int, double>> along;
+    for (int c = 0; c < 3; ++c) {
+      along.emplace_back(from + c, n[c]);
+      if (s.partner >= 0) along.emplace_back(to + c, -n[c]);
+    }
+    stiffness.add(s.at.stiffness / mass, along);
+    normal_damping.add(s.at.damping / mass, along);
+    if (kind == Springs::normal) continue;
+    // Two tangents: any vector off the normal, and the cross product with it.
+    const Eigen::Vector3d normal(n[0], n[1], n[2]);
+    const Eigen::Vector3d first = normal.unitOrthogonal(), tangents[2] = {first, normal.cross(first)};
+    for (const Eigen::Vector3d& t : tangents) {
+      const Eigen::Vector3d turn = turning * normal.cross(t);  // t . (theta x n) = theta . (n x t)
+      std::vector<std::pair<int, double>> slip;
+      for (int c = 0; c < 3; ++c) {
+        slip.emplace_back(from + c, t[c]);
+        slip.emplace_back(from + 3 + c, turn[c]);
+        if (s.partner < 0) continue;
+        slip.emplace_back(to + c, -t[c]);
+        slip.emplace_back(to + 3 + c, turn[c]);
+      }
+      stiffness.add(s.at.tangential_stiffness / mass, slip);
+      tangential_damping.add(s.at.tangential_damping / mass, slip);
+    }
+  }
+  const int size = 6 * network.particle_count;
+  return {stiffness.matrix(size), normal_damping.matrix(size), tangential_damping.matrix(size)};
+}
+
+}  // namespace
+
+std::vector<Spring> springs_of(const std::vector<Contact>& contacts, NormalLaw law,
+                               const program::ContactCoefficients& pair, const program::ContactCoefficients& wall) {
+  std::vector<Spring> springs;
+  for (const Contact& c : contacts)
+    springs.push_back({c.owner,
+                       c.partner,
+                       {c.normal[0], c.normal[1], c.normal[2]},
+                       program::tangent_spring(law, c.partner >= 0 ? pair : wall, c.overlap)});
+  return springs;
+}
+
+double undamped_critical_step(const SpringNetwork& network, Springs kind) {
+  const Tangent t = tangent(network, kind);
+  if (t.stiffness.nonZeros() == 0) return std::numeric_limits<double>::infinity();
+  Vector mode = start_vector(t.stiffness.rows());
+  return 2 / std::sqrt(greatest(t.stiffness, mode));
+}
+
+double critical_step(const SpringNetwork& network, const program::StepCriterion& criterion) {
+  const Tangent t = tangent(network, Springs::all);
+  if (t.stiffness.nonZeros() == 0) return std::numeric_limits<double>::infinity();
+  const Matrix damping =
+      criterion.normal_damping * t.normal_damping + criterion.tangential_damping * t.tangential_damping;
+  Vector mode = start_vector(t.stiffness.rows());
+  double h = 2 / std::sqrt(greatest(t.stiffness, mode));
+  for (int iteration = 0; iteration < 40; ++iteration) {
+    const Matrix matrix = h * h * t.stiffness + h * damping;
+    greatest(matrix, mode);
+    const double k = mode.dot(t.stiffness * mode), c = mode.dot(damping * mode);
+    const double next = 8 / (c + std::sqrt(c * c + 16 * k));
+    if (std::fabs(next - h) <= 1e-7 * h) return next;
+    h = next;
+  }
+  throw std::runtime_error("the critical step did not converge");
+}
+
+}  // namespace fixdem::stability
