@@ -2,8 +2,8 @@
 //
 // Nothing here is called in a step. Contacts are recomputed from positions by the formulas of contact_law.hpp, one lane
 // wide, with a copy of the history that is not advanced: forces are those of the spring as it stands and the damping of
-// the present velocities. With the leapfrog all is seen at the held positions of the forces; particle() synchronises, and
-// so does the history of a contact with impulses.
+// the present velocities. With the leapfrog all is seen at the held positions of the forces; particle() synchronises,
+// and so does the history of a contact with impulses.
 #pragma once
 
 #include "tiles.hpp"
