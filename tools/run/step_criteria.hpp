@@ -7,6 +7,9 @@
 //   euler      4 u = (h^2 K + 2 h (C_n + C_t)) u         forces at the new place and the new velocity
 //   leapfrog   4 u = (h^2 K + 4 h C_n + 2 h C_t) u       damped normal velocity predicted from the two last ones
 //
+//   impulse    4 u = (h^2 K + 4 h C_n + 4 h C_t) u       G taken half a step on, slip extrapolated; on the safe side:
+//                                                        the means along the half steps soften K, and `after` C_n
+//
 // so that h is stable while the greatest eigenvalue of the matrix on the right is below 4. Without damping both are
 // 2 / (greatest angular frequency). A new integrator is one more row.
 #pragma once
@@ -26,10 +29,13 @@ inline constexpr StepCriterion step_criteria[] = {
     {Integrator::leapfrog, "leapfrog", 4, 2},
 };
 
+/// Beside the table, whose rows the reports of tools/stability measure as well as predict.
+inline constexpr StepCriterion impulse_criterion{Integrator::impulse, "impulse", 4, 4};
+
 constexpr const StepCriterion& criterion_of(Integrator integrator) {
   for (const StepCriterion& criterion : step_criteria)
     if (criterion.integrator == integrator) return criterion;
-  return step_criteria[0];
+  return impulse_criterion;
 }
 
 }  // namespace fixdem::program
