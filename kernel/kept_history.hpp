@@ -62,7 +62,7 @@ class KeptHistory {
     int partner, older;
     Real<Case> value[size];
   };
-  Entry entry_[PairBatches<Case>::batches * 8];
+  Entry entry_[PairBatches<Case>::batches * Capacity<Case>::batch];
   int newest_[Case::particle_count];
   int entries_;
 };
