@@ -130,7 +130,7 @@ double work_around_cycle(Random& random) {
     for (int piece = 1; piece <= pieces; ++piece) {
       const double overlap = std::max(0.0, corners[k][2] + piece * step[2]);
       const Vec3<double> velocity = {step[0] / Case::time_step, step[1] / Case::time_step, step[2] / Case::time_step};
-      const Springs<double> springs_now = springs<Law, Case>(overlap);
+      const Springs<double> springs_now = springs<Law, Case>(spring_base<Law, Case>(overlap));
       bool is_done = false;
       const auto f = contact_force<Law, Case, SlidingLanes::computed>(
           springs_now, Vec3<double>{0, 0, 1}, velocity, velocity.z, velocity.z, overlap > 0, history, is_done);

@@ -160,7 +160,7 @@ class Reference {
                              const Vector3& relative_velocity, const Vector3& predicted, const Vector3& spin_sum) {
     Touching& contact = contacts_[key];
     const Encounter<Scalar> at{overlap, n, relative_velocity, predicted.dot(n), spin_sum};
-    if constexpr (Case::integrator == Integrator::impulse) {
+    if (Case::integrator == Integrator::impulse) {
       if (step_ == 0) contact.memory.state = -1;
       contact.force = contact_impulse<Case>(coefficients, at, key.second >= 0 ? 2 : 1, contact.memory);
     } else {
