@@ -106,7 +106,7 @@ inline const std::vector<BadCase> bad_cases = {
      {"max_overlap = 1 in [run]", "above 0 and below 1"}},
     {"duration = 1.2",
      "duration = 1.2\nstability_limit = 0",
-     "0\n[capacity]",
+     "0\nintegrator",
      {"stability_limit = 0 in [run]", "above 0, or inf"}},
     {"seed = 3", "seed = -3", "-3", {"seed = -3 in [start]", "at least 0"}},
     // words
