@@ -46,7 +46,7 @@ echo "0 1" >"$reports/freestanding.count"  # if it ends before it counts
 tests/freestanding_test.py "$reports/freestanding.count" "$build/freestanding" "$@" >"$reports/freestanding.txt" 2>&1 ||
   cat "$reports/freestanding.txt"
 printf 'tests/%-28s %3d passed, %d failed\n' freestanding_test.py $(cat "$reports/freestanding.count")
-[[ -z $IDENTICAL ]] || tests/identical/run.sh "$reports/identical.count" "$build/identical" $IDENTICAL || true
+[[ -z $IDENTICAL ]] || tests/identical/run.sh "$reports/identical.count" "$build/identical" '' $IDENTICAL || true
 
 echo "0 1" >"$reports/peers.count"  # if it ends before it counts
 tests/peers_test.py "$reports/peers.count" >"$reports/peers.txt" 2>&1 || cat "$reports/peers.txt"
