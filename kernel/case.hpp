@@ -112,6 +112,16 @@ inline constexpr bool holds_positions_ahead = Case::integrator != Integrator::eu
 template <class Case>
 inline constexpr bool takes_impulses = Case::integrator == Integrator::impulse;
 
+/// Gravity and the velocity of the gas are not the case's but set between steps by another program (coupling.hpp): for
+/// a struct that derives from a generated case and adds `static constexpr bool is_coupled = true;`.
+template <class Case>
+inline constexpr bool is_coupled = [] {
+  if constexpr (requires { Case::is_coupled; })
+    return Case::is_coupled;
+  else
+    return false;
+}();
+
 template <class Case>
 inline constexpr bool is_mixed = Case::precision == Precision::mixed_precision;
 

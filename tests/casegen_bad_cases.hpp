@@ -95,6 +95,9 @@ inline const std::vector<BadCase> bad_cases = {
     {"friction = 0.3", "friction = -0.3", "-0.3", {"friction = -0.3", "at least 0"}},
     {"length = 0.800", "length = inf", "inf", {"length = inf in [pipe] must be finite", "above 0"}},
     {"neighbours = 14", "neighbours = 31", "31", {"neighbours = 31 in [capacity]", "2 to 30", "twelve"}},
+    {"neighbours = 14", "memory = \"256 kb\"", "\"256 kb\"", {"memory = \"256 kb\" in [capacity]", "unit", "KiB"}},
+    {"neighbours = 14", "memory = \"0 KiB\"", "\"0 KiB\"", {"memory = \"0 KiB\" in [capacity] is out of range"}},
+    {"neighbours = 14", "memory = \"all\"", "\"all\"", {"does not begin with a whole number", "256 KiB"}},
     {"neighbours = 14", "tile_steps = 17", "17", {"tile_steps = 17 in [capacity]", "1 to 16", "kernel chooses"}},
     {"neighbours = 14",
      "tile_steps = 2",
@@ -106,7 +109,7 @@ inline const std::vector<BadCase> bad_cases = {
      {"max_overlap = 1 in [run]", "above 0 and below 1"}},
     {"duration = 1.2",
      "duration = 1.2\nstability_limit = 0",
-     "0\n[capacity]",
+     "0\nintegrator",
      {"stability_limit = 0 in [run]", "above 0, or inf"}},
     {"seed = 3", "seed = -3", "-3", {"seed = -3 in [start]", "at least 0"}},
     // words

@@ -107,6 +107,14 @@ class Freestanding(unittest.TestCase):
         for name in list(calls):
             visit(name, [])
 
+    def test_library_example(self):
+        """tools/example needs a compiler and a generated header; it ends well when the forces on the walls are right."""
+        source, program = root / "tools" / "example" / "hanging_drum.cpp", folder / "hanging_drum"
+        self.assertLess(len(source.read_text().splitlines()), 60)
+        includes = [part for part in compiler if part.startswith("-I")]
+        run(compiler[0], "-std=c++20", "-O2", "-ffp-contract=off", "-fno-math-errno", *includes, source, "-o", program)
+        self.assertIn("the spring carries", run(program))
+
     @unittest.skipUnless(platform.system() == "Linux", "strict mode is Linux's")
     def test_no_system_call(self):
         program = folder / "strict"
