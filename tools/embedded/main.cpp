@@ -56,7 +56,8 @@ int main(int argc, char** argv) {
   }
   put(Case::name), put(": ");
   put(static_cast<unsigned long long>(Case::particle_count)), put(" particles, ");
-  put(static_cast<unsigned long long>(steps)), put(" of "), put(static_cast<unsigned long long>(whole_run)), put(" steps\n");
+  put(static_cast<unsigned long long>(steps)), put(" of "), put(static_cast<unsigned long long>(whole_run)),
+      put(" steps\n");
   if (!begin()) {
     put("cannot start\n");
     return 1;

@@ -23,7 +23,8 @@ std::string triple(const double (&v)[3]) { return fmt::format("{{{:a}, {:a}, {:a
 class Recorder final : public program::SimulationView {
  public:
   void place(int, const Particle& p) override {
-    particles += fmt::format("    {{{}, {}, {}}},\n", triple(p.position), triple(p.velocity), triple(p.angular_velocity));
+    particles +=
+        fmt::format("    {{{}, {}, {}}},\n", triple(p.position), triple(p.velocity), triple(p.angular_velocity));
   }
   void restore_history(int owner, int partner, const double (&history)[3]) override {
     histories += fmt::format("    {{{}, {}, {}}},\n", owner, partner, triple(history));

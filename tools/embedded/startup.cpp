@@ -1,8 +1,8 @@
 // From reset to main on a Cortex-M7, and back: vectors, floating-point unit, memory, stack, end.
 //
 // The stack lies at the lowest addresses of the RAM and grows down, so that one that becomes too deep leaves the memory
-// and stops the program instead of writing over the simulation. It is filled with a pattern first; what of it is left at
-// the end shows how deep it has been. No library is linked: the four functions that the compiler may call are here.
+// and stops the program instead of writing over the simulation. It is filled with a pattern first; what of it is left
+// at the end shows how deep it has been. No library is linked: the four functions that the compiler may call are here.
 #include <cstddef>
 #include <cstdint>
 
