@@ -33,6 +33,7 @@ include tools/make/variant.mk
 include tools/make/rules.mk
 include tools/make/stability.mk
 include tools/make/embedded.mk
+include tools/make/footprint.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
@@ -82,6 +83,13 @@ embedded:  ## run CASE on a bare board (Cortex-M7, emulated) and on this machine
 	@$(embedded)/native $(STEPS) >$(embedded)/here.txt
 	@echo "on this machine:  $$(tail -n 1 $(embedded)/here.txt)"
 	@diff <(sed '/^#/d' $(embedded)/board.txt) <(sed '/^#/d' $(embedded)/here.txt) && echo 'every line is the same, to the last bit'
+
+.PHONY: footprint
+footprint:  ## memory, code, instructions and cycles of every case and of a scene stripped step by step: kernel/README.md
+	$(needs) run footprint
+	+@for case in $(case_names); do $(MAKE) case-start CASE=$$case; $(MAKE) build-footprint CASE=$$case; done
+	@tools/footprint/footprint.py --strips $(footprint)/strips --programs $(footprint)/cases --headers $(build)/cases \
+	  --readme kernel/README.md $(case_names)
 
 .PHONY: golden
 golden:  ## pin the final states of all cases anew (tests/golden/) and print what has changed

@@ -25,7 +25,9 @@ enum class Slider { clip, paper, exact };
 enum class Damping { restitution, critical };
 /// Mass in eq. (26) between spheres: the reduced mass m/2 (restitution as asked), or m as the paper prints it.
 enum class DampingMass { reduced, particle };
-enum class Ends { periodic, closed };
+/// `open`: nothing at the ends, for scenes that never reach them (no wall, no neighbour); only in cases written by
+/// hand.
+enum class Ends { periodic, closed, open };
 /// Semi-implicit Euler; leapfrog; or leapfrog with contact impulses integrated along the step (impulse_law.hpp).
 enum class Integrator { euler, leapfrog, impulse };
 /// `mixed_precision`: state, position differences and gaps in double, contact arithmetic and history in float.

@@ -14,10 +14,14 @@ import signal
 import subprocess
 import sys
 import unittest
-from collections import defaultdict
 from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(root / "tools" / "footprint"))
+
+from measuring import Calls  # noqa: E402
+
 here = root / "tests" / "freestanding"
 folder, compiler = Path("."), ["g++"]  # main() sets them
 
@@ -57,14 +61,18 @@ class Freestanding(unittest.TestCase):
         needed = set(re.findall(r"\bU (\S+)", run("nm", "-u", self.scene)))
         self.assertLessEqual(needed, OF_THE_COMPILER, "the scene calls functions of a library")
 
-    def test_links_without_library(self):
-        """-nostdlib: with those four functions the scene is a whole program."""
+    def link_without_library(self):
         source = folder / "memory.c"
         source.write_text("".join(f"void {name}(void) {{}}\n" for name in sorted(OF_THE_COMPILER)))
         cc = [compiler[0], "-x", "c", "-fno-builtin", "-w"]
         run(*cc, "-c", source, "-o", folder / "memory.o")
         run(compiler[0], "-nostdlib", "-static", "-no-pie", "-Wl,--fatal-warnings,-e,scene_start", self.scene,
             folder / "memory.o", "-o", folder / "whole")
+        return folder / "whole"
+
+    def test_links_without_library(self):
+        """-nostdlib: with the four functions of the compiler the scene is a whole program."""
+        self.assertTrue(self.link_without_library().exists())
 
     def test_no_exceptions_no_types_no_threads(self):
         sections = run("objdump", "-h", self.scene)
@@ -84,27 +92,20 @@ class Freestanding(unittest.TestCase):
         self.assertLess(total, GREATEST_STACK)
         self.assertGreater(total, 1024)  # the compiler did report
 
-        calls, caller = defaultdict(set), None
-        for line in run("objdump", "-d", "--no-show-raw-insn", self.scene).splitlines():
-            if start := re.match(r"[0-9a-f]+ <(\S+)>:$", line):
-                caller = start[1]
-            elif jump := re.search(r"\t(call|bl|jmp|b)q? +(\S.*)$", line):
-                self.assertNotRegex(jump[2], r"^\*", f"{caller} goes where a pointer says")
-                target = re.search(r"<([^>+]+)>", jump[2])
-                if target and (target[1] != caller or jump[1] in ("call", "bl")):  # a jump to one's start is a loop
-                    calls[caller].add(target[1])
-        self.assertGreaterEqual(len(calls), 3)
+        calls = Calls(self.link_without_library())
+        self.assertFalse(calls.by_pointer, "where they go is not known before the run")
+        self.assertGreaterEqual(len(calls.targets), 3)
 
         finished = set()
 
         def visit(name, way):
             self.assertNotIn(name, way, "a function calls itself: " + " > ".join([*way, name]))
             if name not in finished:
-                for target in calls[name]:
+                for target in calls.targets[name]:
                     visit(target, [*way, name])
                 finished.add(name)
 
-        for name in list(calls):
+        for name in list(calls.targets):
             visit(name, [])
 
     def test_library_example(self):
