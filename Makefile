@@ -24,6 +24,7 @@ ARGS ?=
 FILTER ?=
 JSON ?=
 LMP ?=
+STEPS ?=
 
 # Some targets do one thing for a case that is asked for, and another without.
 case_given := $(filter command environment,$(origin CASE))
@@ -31,6 +32,8 @@ case_given := $(filter command environment,$(origin CASE))
 include tools/make/variant.mk
 include tools/make/rules.mk
 include tools/make/stability.mk
+include tools/make/embedded.mk
+include tools/make/footprint.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
@@ -57,10 +60,36 @@ test:  ## build and run every test; ends with "N passed, M failed"
 	@IDENTICAL='$(identical_tested)' tests/run.sh '$(build)' '$(CXX)' $(test_flags)
 
 .PHONY: identical
-identical:  ## run the same scenes on every instruction set, aarch64 under emulation, and compare the last bit
-	$(needs) run $(if $(filter aarch64,$(identical_all)),identical)
+identical:  ## run the same scenes, or CASE, on every instruction set and on a bare board, and compare the last bit; STEPS=n
+	$(needs) run $(if $(filter aarch64,$(identical_all)),identical embedded)
+	+@$(MAKE) $(if $(case_given),identical-case,identical-scenes)
+
+.PHONY: identical-case identical-scenes
+identical-scenes:
 	$(files) build-identical
-	@tests/identical/run.sh '$(build)/identical/count' '$(build)/identical' $(identical_all)
+	@tests/identical/run.sh '$(build)/identical/count' '$(build)/identical' '' $(identical_all)
+
+identical-case:
+	$(files) case-start
+	$(files) build-identical-case
+	@tests/identical/run.sh '$(embedded)/count' '$(embedded)' '$(STEPS)' $(identical_all)
+
+.PHONY: embedded
+embedded:  ## run CASE on a bare board (Cortex-M7, emulated) and on this machine, and compare the last bit; STEPS=n
+	$(needs) run embedded
+	$(files) case-start
+	$(files) build-embedded $(embedded)/native
+	@tools/embedded/run.sh $(embedded)/cortex-m7 $(STEPS) | tee $(embedded)/board.txt
+	@$(embedded)/native $(STEPS) >$(embedded)/here.txt
+	@echo "on this machine:  $$(tail -n 1 $(embedded)/here.txt)"
+	@diff <(sed '/^#/d' $(embedded)/board.txt) <(sed '/^#/d' $(embedded)/here.txt) && echo 'every line is the same, to the last bit'
+
+.PHONY: footprint
+footprint:  ## memory, code, instructions and cycles of every case and of a scene stripped step by step: kernel/README.md
+	$(needs) run footprint
+	+@for case in $(case_names); do $(MAKE) case-start CASE=$$case; $(MAKE) build-footprint CASE=$$case; done
+	@tools/footprint/footprint.py --strips $(footprint)/strips --programs $(footprint)/cases --headers $(build)/cases \
+	  --readme kernel/README.md $(case_names)
 
 .PHONY: golden
 golden:  ## pin the final states of all cases anew (tests/golden/) and print what has changed

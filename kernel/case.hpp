@@ -25,7 +25,9 @@ enum class Slider { clip, paper, exact };
 enum class Damping { restitution, critical };
 /// Mass in eq. (26) between spheres: the reduced mass m/2 (restitution as asked), or m as the paper prints it.
 enum class DampingMass { reduced, particle };
-enum class Ends { periodic, closed };
+/// `open`: nothing at the ends, for scenes that never reach them (no wall, no neighbour); only in cases written by
+/// hand.
+enum class Ends { periodic, closed, open };
 /// Semi-implicit Euler; leapfrog; or leapfrog with contact impulses integrated along the step (impulse_law.hpp).
 enum class Integrator { euler, leapfrog, impulse };
 /// `mixed_precision`: state, position differences and gaps in double, contact arithmetic and history in float.
@@ -111,6 +113,16 @@ inline constexpr bool holds_positions_ahead = Case::integrator != Integrator::eu
 
 template <class Case>
 inline constexpr bool takes_impulses = Case::integrator == Integrator::impulse;
+
+/// Gravity and the velocity of the gas are not the case's but set between steps by another program (coupling.hpp): for
+/// a struct that derives from a generated case and adds `static constexpr bool is_coupled = true;`.
+template <class Case>
+inline constexpr bool is_coupled = [] {
+  if constexpr (requires { Case::is_coupled; })
+    return Case::is_coupled;
+  else
+    return false;
+}();
 
 template <class Case>
 inline constexpr bool is_mixed = Case::precision == Precision::mixed_precision;

@@ -10,15 +10,10 @@
 // Results are the same bytes for the same case, lane width and compiler notwithstanding.
 #pragma once
 
+#include "memory.hpp"
 #include "observe.hpp"
 
 namespace fixdem {
-
-/// A capacity, and the greatest use made of it so far.
-struct HighWater {
-  const char* name;
-  int limit, high_water;
-};
 
 template <class Case, int W = native_lanes>
 class Simulation {
@@ -61,6 +56,7 @@ class Simulation {
     s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.kept, s_.scratch, count);
     if constexpr (takes_impulses<Case>) mark_contacts_as_found();
     if (s_.status.ok()) s_.status = deepest();
+    if constexpr (is_coupled<Case>) s_.particles.coupling.reset();
     for (int c = 0; c < 3; ++c) start_place_[c] = place_sum(c);
     return s_.status;
   }
@@ -100,6 +96,7 @@ class Simulation {
 
   /// Advances by `steps` time steps, or to the first fault. After a fault it does nothing more.
   Status run(long long steps) {
+    static_assert(within_budget<Case, sizeof(Simulation)>());
     advance<Case, W>(s_, steps);
     if (s_.status.fault == Fault::overlap && s_.status.particle < 0) s_.status.particle = deepest().particle;
     return s_.status;
@@ -154,8 +151,23 @@ class Simulation {
         e.gas_work += D::mass * sum_of(watch.ledger.gas_work);
       }
     }
-    for (int c = 0; c < 3; ++c) e.gravity_work += D::mass * Case::gravity[c] * (place_sum(c) - start_place_[c]);
+    e.gravity_work = D::mass * work_of_gravity();
     return e;
+  }
+
+  /// Sum of the forces that particles exert on the pipe's wall or one of its ends, as for_each_contact sees them, N.
+  Vec3<double> force_on(int wall) const { return detail::force_on(s_, wall); }
+
+  // From the next step on; coupled cases only (coupling.hpp). start() returns to what the case says.
+  void set_gravity(const double (&gravity)[3])  ///< m/s2
+      requires is_coupled<Case> {
+    s_.particles.coupling.earlier_work = work_of_gravity();
+    for (int c = 0; c < 3; ++c) start_place_[c] = place_sum(c);
+    s_.particles.coupling.set_gravity(gravity);
+  }
+  void set_gas_velocity(double bulk_velocity)  ///< m/s; at the next update of the gas
+      requires(is_coupled<Case>&& Case::has_gas) {
+    s_.particles.coupling.gas_velocity = bulk_velocity;
   }
 
   // Gas at the last update; cases with gas only. Slices count from z = 0.
@@ -171,21 +183,8 @@ class Simulation {
     return drop;
   }
 
-  static constexpr int high_water_count() { return 4; }
-  HighWater high_water(int k) const {
-    using Cap = Capacity<Case>;
-    const NearList<Case>& near = s_.near_list;
-    switch (k) {
-      case 0:
-        return {"neighbours", Cap::neighbours, near.most_neighbours};
-      case 1:
-        return {"chunk_pairs", Cap::chunk_pairs, near.most_chunk_pairs};
-      case 2:
-        return {"wrap_pairs", D::is_periodic ? Cap::wrap_pairs : 0, near.most_wrap_pairs};
-      default:
-        return {"chunk_size", Cap::chunk_size, near.most_reach};
-    }
-  }
+  static constexpr int high_water_count() { return detail::high_water_marks; }
+  HighWater high_water(int k) const { return detail::high_water(s_.near_list, k); }
   /// How often particles were sorted along the pipe, and how often a single range of pairs was listed anew.
   long long sorts() const { return s_.near_list.sorts; }
   long long listings() const { return s_.near_list.listings; }
@@ -242,6 +241,15 @@ class Simulation {
     });
     if (!(worst.value > Case::max_overlap)) worst.fault = Fault::none;
     return worst;
+  }
+
+  /// Since the start, per mass of a particle, J/kg.
+  double work_of_gravity() const {
+    const double* gravity = Case::gravity;
+    double work = 0;
+    if constexpr (is_coupled<Case>) gravity = s_.particles.coupling.gravity, work = s_.particles.coupling.earlier_work;
+    for (int c = 0; c < 3; ++c) work += gravity[c] * (place_sum(c) - start_place_[c]);
+    return work;
   }
 
   double place_sum(int c) const {

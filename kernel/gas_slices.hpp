@@ -48,11 +48,13 @@ struct GasSlices<Case, false> {};
 namespace detail {
 
 /// Flow of one group of slices; reads particles, sums and heights, writes the rest. Returns the greatest residual.
+/// `set_velocity`: the bulk velocity in a coupled case.
 template <class Case, int W>
-double solve_slices(GasSlices<Case>& gas, int first) {
+double solve_slices(GasSlices<Case>& gas, int first, [[maybe_unused]] double set_velocity = 0) {
   using V = Lanes<W>;
   using D = Derived<Case>;
-  constexpr double R = D::pipe_radius, pipe_area = D::pi * R * R, U = Case::gas_velocity;
+  constexpr double R = D::pipe_radius, pipe_area = D::pi * R * R;
+  const double U = is_coupled<Case> ? set_velocity : Case::gas_velocity;
   constexpr double rho = Case::gas_density, nu = Case::gas_viscosity, d_g = Case::gas_bed_diameter;
   constexpr double d = Case::diameter, bore = Case::pipe_diameter;
   const V one = splat<V>(1.0), zero{};
@@ -175,8 +177,11 @@ Status update_slices(GasSlices<Case>& gas, Particles<Case>& p) {
     gas.axial_velocity_sum[s] += p.motion[i][2];
     gas.height[s] = max(top, gas.height[s]);
   }
+  double set_velocity = 0;
+  if constexpr (is_coupled<Case>) set_velocity = p.coupling.gas_velocity;
   for (int first = 0; first < gas.padded; first += W)
-    if (const double residual = detail::solve_slices<Case, W>(gas, first); !(residual < greatest_residual))
+    if (const double residual = detail::solve_slices<Case, W>(gas, first, set_velocity);
+        !(residual < greatest_residual))
       return {Fault::gas_unsolved, 0, -1, residual, greatest_residual};
   for (int i = 0; i < Case::particle_count; ++i) {
     const int s = gas.slice_of[i];

@@ -95,6 +95,8 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
   using Half = Lanes<(step > 1 ? step / 2 : 1)>;  // the translation in a register of 8
   alignas(64) static constexpr double gravity[8] = {
       Case::gravity[0] * Case::time_step, Case::gravity[1] * Case::time_step, Case::gravity[2] * Case::time_step};
+  const double* gravity_kick = gravity;
+  if constexpr (is_coupled<Case>) gravity_kick = particles.coupling.kick;
   alignas(64) static constexpr double inertia[8] = {1, 1, 1, 1, 2.5, 2.5, 2.5, 2.5};  // r^2 m / I
 
   for (int q = 0; q < particles_in_bucket; ++q, entry += 2 * k + 1) {
@@ -109,7 +111,7 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
         gas = __builtin_shufflevector(load<Half>(particles.gas_kick.row[i]), Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
       else if constexpr (Case::has_gas)
         if (translates) gas = load<V>(particles.gas_kick.row[i] + column);
-      if (translates) kick = kick + load<V>(gravity + column) + gas;
+      if (translates) kick = kick + load<V>(gravity_kick + column) + gas;
       double* motion = particles.motion[i] + column;
       const V moved = fused(load<V>(inertia + column), kick, load<V>(motion));
       store(motion, moved);

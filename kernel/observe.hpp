@@ -144,6 +144,19 @@ void for_each_observed(const State<Case>& s, F&& f) {
         [](const Vec3<double>& n) { return n.z < 0 ? start_end : far_end; });
 }
 
+template <class Case>
+Vec3<double> force_on(const State<Case>& s, int wall) {
+  Vec3<double> sum{};
+  for_each_observed(s, [&](const Observed<Case>& o) {
+    const Contact& c = o.contact;
+    if (c.partner != wall) return;
+    sum.x += c.normal_force * c.normal[0] - c.tangential_force[0];
+    sum.y += c.normal_force * c.normal[1] - c.tangential_force[1];
+    sum.z += c.normal_force * c.normal[2] - c.tangential_force[2];
+  });
+  return sum;
+}
+
 }  // namespace detail
 
 template <class Case>

@@ -8,7 +8,7 @@
 // In mixed precision contacts look up a copy of the motion in floats.
 #pragma once
 
-#include "case.hpp"
+#include "coupling.hpp"
 
 namespace fixdem {
 
@@ -47,6 +47,7 @@ struct Particles {
   [[no_unique_address]] detail::FloatRows<count, motion_width, is_mixed<Case>> motion_as_float;
   [[no_unique_address]] detail::RowsOf4<count, predicts> last_kick;      ///< velocity change of the last step
   [[no_unique_address]] detail::RowsOf4<count, Case::has_gas> gas_kick;  ///< velocity change per step by the gas
+  [[no_unique_address]] Coupling<Case> coupling;
   int id[count];
   int image[count];  ///< crossings of the periodic ends
 

@@ -6,27 +6,37 @@
 // the velocities and one for the spins.
 #pragma once
 
-#include <utility>
-
 #include "row_lanes.hpp"
 
 namespace fixdem {
 
 #if FIXDEM_WIDEST_LANES >= 2
+namespace detail {
+/// The numbers 0 .. W - 1 as a list of template arguments.
+template <int... lane>
+struct LaneList {};
+template <int W, int... lane>
+struct LaneListOf : LaneListOf<W - 1, W - 1, lane...> {};
+template <int... lane>
+struct LaneListOf<0, lane...> {
+  using type = LaneList<lane...>;
+};
+}  // namespace detail
+
 /// Operations within blocks of four floats, the same in every block.
 template <int W>
 struct FloatBlocks {
   using V = Lanes<W, float>;
-  using Lane = std::make_integer_sequence<int, W>;
+  using Lane = typename detail::LaneListOf<W>::type;
 
   /// a[first] b[first] a[first + 1] b[first + 1]
   template <int first, int... lane>
-  static FIXDEM_INLINE V interleave(V a, V b, std::integer_sequence<int, lane...>) {
+  static FIXDEM_INLINE V interleave(V a, V b, detail::LaneList<lane...>) {
     return __builtin_shufflevector(a, b, (lane % 2 * W + lane / 4 * 4 + first + lane % 4 / 2)...);
   }
   /// a[first] a[first + 1] b[first] b[first + 1]
   template <int first, int... lane>
-  static FIXDEM_INLINE V join(V a, V b, std::integer_sequence<int, lane...>) {
+  static FIXDEM_INLINE V join(V a, V b, detail::LaneList<lane...>) {
     return __builtin_shufflevector(a, b, (lane % 4 / 2 * W + lane / 4 * 4 + first + lane % 2)...);
   }
   static FIXDEM_INLINE V low(V a, V b) { return interleave<0>(a, b, Lane{}); }

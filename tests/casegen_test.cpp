@@ -92,6 +92,22 @@ TEST_CASE("casegen refuses bad cases with place, value, allowed range and advice
     check_refused(replaced(good_case, bad.piece, bad.by), bad.at, bad.words);
 }
 
+TEST_CASE("casegen writes a budget of memory in bytes, and none without") {
+  const fs::path file = scratch() / "budget.toml", filling = scratch() / "filling.toml";
+  write(filling, replaced(good_case, "count = 2", "count = 7"));
+  const auto header_of = [&](const char* memory) {
+    write(file, replaced(good_case, "neighbours = 14", memory));
+    const Outcome outcome = casegen("'" + file.string() + "' --print");
+    CHECK(outcome.exit_code == 0);
+    return outcome.output;
+  };
+  CHECK(contains(header_of("memory = \"256 KiB\""), "static constexpr long long memory_budget = 262144;"));
+  CHECK(contains(header_of("memory = \"2 MiB\""), "memory_budget = 2097152;"));
+  CHECK(contains(header_of("memory = \"1000 B\""), "memory_budget = 1000;"));
+  CHECK(contains(header_of("memory = 1000"), "memory_budget = 1000;"));
+  CHECK_FALSE(contains(header_of("neighbours = 14"), "memory_budget"));
+}
+
 TEST_CASE("casegen refuses placed particles that are outside, overlap, spin without friction or are miscounted") {
   const auto placed = [](const std::string& particles) {
     return replaced(good_case, casegen_test::random_start, "") + particles;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/run/arrangement.hpp"
+#include "tools/run/capacity_advice.hpp"
 #include "tools/run/collision_tracker.hpp"
 #include "tools/run/dump.hpp"
 #include "tools/run/energy_balance.hpp"
@@ -218,6 +219,25 @@ TEST_CASE("fault report: contact time, advice and exit codes") {
   CHECK(fault_advice(facts, status, 1.0).find("try [run] time_step = 3.5e-06") != std::string::npos);
   CHECK(fault_exit_code(Fault::overlap) == exit_unstable);
   CHECK(fault_exit_code(Fault::neighbour_capacity) == exit_capacity);
+}
+
+TEST_CASE("capacities: how full they were, and what to set") {
+  const auto described = [](long long neighbours, long long pairs) {
+    return describe_capacities({{"neighbours", 14, neighbours},
+                                {"chunk_pairs", 1008, pairs},
+                                {"wrap_pairs", 0, 0},
+                                {"chunk_size", 144, 90},
+                                {"memory", 524288, 262144}});
+  };
+  CHECK(
+      described(9, 300) ==
+      "capacity: 9 of 14 neighbours, 300 of 1008 pairs in a chunk, 90 of 144 particles within reach; 256.0 KiB in all\n"
+      "  [capacity] neighbours = 10 would be enough for this run and save memory\n");
+  CHECK(described(9, 900).find("neighbours = ") == std::string::npos);  // 1.1 * 900 pairs need 14
+  CHECK(described(14, 300).find("nearly full: [capacity] neighbours = 15") != std::string::npos);
+  CHECK(described(12, 1000).find("nearly full: [capacity] neighbours = 16") != std::string::npos);
+  CHECK(described(13, 300).find("neighbours = ") == std::string::npos);
+  CHECK(describe_capacities({}).empty());
 }
 
 TEST_CASE("dump: a LAMMPS section that reads back exactly") {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the test program, one process per source file and as many at a time as there are cores, then the files that must
-# not compile, the scenes that must be identical, the tests of tools/peers and the quick form of make stability; ends with
-# one line, `N passed, M failed`. The output of a source file is shown when something in it fails.
+# not compile, the freestanding and the stripped scene, the scenes that must be identical, the tests of tools/peers and the quick form of make
+# stability; ends with one line, `N passed, M failed`. The output of a source file is shown when something in it fails.
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
 # Environment: IDENTICAL, names of the programs in BUILD_FOLDER/identical that are compared, separated by
@@ -42,7 +42,15 @@ if [[ $counted != "$known" ]]; then
 fi
 
 tests/compile_fail/run.sh "$reports/compile_fail.count" "$@" || true
-[[ -z $IDENTICAL ]] || tests/identical/run.sh "$reports/identical.count" "$build/identical" $IDENTICAL || true
+echo "0 1" >"$reports/freestanding.count"  # if it ends before it counts
+tests/freestanding_test.py "$reports/freestanding.count" "$build/freestanding" "$@" >"$reports/freestanding.txt" 2>&1 ||
+  cat "$reports/freestanding.txt"
+printf 'tests/%-28s %3d passed, %d failed\n' freestanding_test.py $(cat "$reports/freestanding.count")
+echo "0 1" >"$reports/footprint.count"
+tests/footprint_test.py "$reports/footprint.count" "$build/footprint-test" "$@" >"$reports/footprint.txt" 2>&1 ||
+  cat "$reports/footprint.txt"
+printf 'tests/%-28s %3d passed, %d failed\n' footprint_test.py $(cat "$reports/footprint.count")
+[[ -z $IDENTICAL ]] || tests/identical/run.sh "$reports/identical.count" "$build/identical" '' $IDENTICAL || true
 
 echo "0 1" >"$reports/peers.count"  # if it ends before it counts
 tests/peers_test.py "$reports/peers.count" >"$reports/peers.txt" 2>&1 || cat "$reports/peers.txt"

@@ -2,51 +2,35 @@
 // velocity and angular velocity and of the energy ledger after the last step.
 //
 // Without arguments. Exit code: 0, or 1 when a scene stopped with a fault. `make identical` compiles this program for
-// several instruction sets and compares what they print.
-#include <cstdint>
-#include <cstdio>
-#include <cstring>
-
+// several instruction sets, and for a board without operating system, and compares what they print.
 #include "kernel/fixdem.hpp"
 #include "scenes.hpp"
+#include "tools/embedded/console.hpp"
+#include "tools/embedded/state_hash.hpp"
 
 namespace {
 
 using namespace fixdem::tests::identical;
-
-/// FNV-1a, 64 bits, over the bytes of everything added.
-class Hash {
- public:
-  template <class T>
-  void add(const T& value) {
-    unsigned char bytes[sizeof value];
-    std::memcpy(bytes, &value, sizeof value);
-    for (const unsigned char byte : bytes) value_ = (value_ ^ byte) * 0x100000001b3u;
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325u;
-};
+using fixdem::console::put;
 
 template <class Case>
 bool run(const char* name) {
   static fixdem::Simulation<Case> simulation;
+  put(name);
   place_agitated(simulation);
   if (!simulation.start().ok() || !simulation.run(steps).ok()) {
-    std::printf("%s stopped with a fault\n", name);
+    put(" stopped with a fault\n");
     return false;
   }
-  Hash hash;
-  for (int id = 0; id < Case::particle_count; ++id) hash.add(simulation.particle(id));
-  hash.add(simulation.energy());
-  std::printf("%s %016llx\n", name, static_cast<unsigned long long>(hash.value()));
+  put(" ");
+  fixdem::console::put_hash(fixdem::state_hash(simulation));
+  put("\n");
   return true;
 }
 
 }  // namespace
 
-int main() {
+int main(int, char**) {
   bool ok = run<gas>("gas");
   ok = run<smooth>("smooth") && ok;
   ok = run<leapfrog>("leapfrog") && ok;

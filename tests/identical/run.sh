@@ -3,16 +3,20 @@
 # than the first counts as one test: passed when it prints the same as the first. One that this machine cannot execute is
 # named and not counted.
 #
-# Usage: tests/identical/run.sh COUNT_FILE FOLDER NAME...      FOLDER holds one program per NAME; `aarch64` runs under
-# qemu-aarch64 on any other machine. Writes "PASSED FAILED" to COUNT_FILE. Exit code: 0 when all are the same.
+# Usage: tests/identical/run.sh COUNT_FILE FOLDER ARGUMENT NAME...      FOLDER holds one program per NAME, each is run with
+# ARGUMENT unless that is empty; `aarch64` runs under qemu-aarch64 on any other machine, `cortex-m7` on an emulated board.
+# Lines that begin with # are not compared. Writes "PASSED FAILED" to COUNT_FILE. Exit code: 0 when all are the same.
 set -euo pipefail
 
-count_file=$1 folder=$2
-shift 2
+count_file=$1 folder=$2 argument=$3
+shift 3
 illegal_instruction=132  # 128 + SIGILL
 
 run() {
-  if [[ $1 == aarch64 && $(uname -m) != aarch64 ]]; then qemu-aarch64 "$folder/$1"; else "$folder/$1"; fi
+  local on=()
+  if [[ $1 == cortex-m7 ]]; then on=(tools/embedded/run.sh); fi
+  if [[ $1 == aarch64 && $(uname -m) != aarch64 ]]; then on=(qemu-aarch64); fi
+  "${on[@]}" "$folder/$1" $argument | sed '/^#/d'
 }
 
 first=$1 passed=0 failed=0

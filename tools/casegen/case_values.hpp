@@ -77,7 +77,8 @@ struct CaseValues {
   double stability_limit = 1.5;  // in stable steps
 
   std::int64_t neighbour_capacity = 14;
-  std::int64_t tile_steps = 0;  // 0: the kernel chooses
+  std::int64_t tile_steps = 0;     // 0: the kernel chooses
+  std::int64_t memory_budget = 0;  // bytes; 0: none
 
   double log_interval = 0;        // s
   double frame_interval = 0;      // s; 0: no frames

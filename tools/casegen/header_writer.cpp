@@ -111,6 +111,7 @@ void write_physics(Members& members, const CaseValues& v) {
   members.real("max_overlap", v.max_overlap, "radii");
   members.whole("neighbour_capacity", v.neighbour_capacity);
   if (v.tile_steps > 0) members.whole("tile_steps", v.tile_steps);
+  if (v.memory_budget > 0) members.add("long long", "memory_budget", fmt::format("{}", v.memory_budget), "bytes");
   members.flag("energy_ledger", v.energy_ledger);
 }
 

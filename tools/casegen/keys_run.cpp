@@ -69,6 +69,10 @@ std::vector<Rule<CaseValues>> run_keys() {
         "steps done together while a piece of a long pipe is in the cache; results do not depend on it",
         "leave it out, and the kernel chooses; 1 is plain steps, more need a pipe of many chunks"},
        Whole{&Values::tile_steps, between(1, 16)}},
+      {{"capacity", "memory", "bytes", false, When::always, "no budget",
+        "what the whole simulation may take; more does not compile, and the message says what takes the space",
+        "for example memory = \"256 KiB\"; units: B, KiB, MiB"},
+       Memory{&Values::memory_budget}},
 
       {{"output", "log_interval", "s", false, When::always, "duration / 50", "time between rows of the log",
         "in seconds: leave it out for 50 rows"},

@@ -94,7 +94,8 @@ std::string Rule<Record>::type() const {
   return std::visit(
       Overloaded{[](const Real<Record>&) { return "number"; }, [](const Whole<Record>&) { return "whole number"; },
                  [](const Flag<Record>&) { return "true or false"; }, [](const Text<Record>&) { return "text"; },
-                 [](const Choice<Record>&) { return "word"; }, [](const Vector<Record>&) { return "three numbers"; }},
+                 [](const Choice<Record>&) { return "word"; }, [](const Vector<Record>&) { return "three numbers"; },
+                 [](const Memory<Record>&) { return "text"; }},
       binding);
 }
 
@@ -111,7 +112,8 @@ std::string Rule<Record>::allowed() const {
                                  for (const auto& option : choice.options) words.push_back(quoted(option));
                                  return fmt::format("{}", fmt::join(words, ", "));
                                },
-                               [](const Vector<Record>&) { return std::string("[x, y, z], three finite numbers"); }},
+                               [](const Vector<Record>&) { return std::string("[x, y, z], three finite numbers"); },
+                               [](const Memory<Record>&) { return std::string("a whole number and B, KiB or MiB"); }},
                     binding);
 }
 
@@ -132,7 +134,8 @@ std::string Rule<Record>::default_value() const {
                  [&](const Vector<Record>& vector) {
                    const Vector3& v = defaults.*vector.member;
                    return fmt::format("[{}, {}, {}]", number(v[0]), number(v[1]), number(v[2]));
-                 }},
+                 },
+                 [&](const Memory<Record>&) { return std::string("none"); }},
       binding);
 }
 

@@ -60,6 +60,11 @@ template <class Record>
 struct Vector {
   Vector3 Record::*member;
 };
+/// A text like "256 KiB", or a whole number of bytes.
+template <class Record>
+struct Memory {
+  std::int64_t Record::*member;
+};
 
 // Deduction guides, for compilers that do not deduce the arguments of aggregates (clang before 17).
 template <class Record>
@@ -76,6 +81,8 @@ template <class Record>
 Choice(std::string Record::*, std::vector<std::string>) -> Choice<Record>;
 template <class Record>
 Vector(Vector3 Record::*) -> Vector<Record>;
+template <class Record>
+Memory(std::int64_t Record::*) -> Memory<Record>;
 
 /// When a key has a meaning; given elsewhere it is refused, because it would silently do nothing.
 enum class When { always, hertz, linear, random, from };
@@ -94,7 +101,8 @@ struct Key {
 
 template <class Record>
 struct Rule : Key {
-  using Binding = std::variant<Real<Record>, Whole<Record>, Flag<Record>, Text<Record>, Choice<Record>, Vector<Record>>;
+  using Binding = std::variant<Real<Record>, Whole<Record>, Flag<Record>, Text<Record>, Choice<Record>, Vector<Record>,
+                               Memory<Record>>;
   Binding binding;
 
   std::string type() const;           ///< "real number", "whole number", ...

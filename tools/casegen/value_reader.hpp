@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "nearest_name.hpp"
 #include "report.hpp"
@@ -127,6 +130,31 @@ std::string assign(const Vector<Record>& vector, const toml::node& node, Record&
     if (!std::isfinite(result[axis])) return "must be finite";
   }
   record.*vector.member = result;
+  return "";
+}
+
+template <class Record>
+std::string assign(const Memory<Record>& memory, const toml::node& node, Record& record) {
+  constexpr std::int64_t greatest = std::int64_t{1} << 40;
+  std::int64_t count = 0, unit = 1;
+  if (const auto* whole = node.as_integer()) {
+    count = whole->get();
+  } else if (const auto* text = node.as_string()) {
+    const std::string& written = text->get();
+    const auto [end, error] = std::from_chars(written.data(), written.data() + written.size(), count);
+    const std::string_view name(end, written.data() + written.size());
+    if (error != std::errc()) return "does not begin with a whole number";
+    if (name == " KiB")
+      unit = 1024;
+    else if (name == " MiB")
+      unit = 1024 * 1024;
+    else if (name != " B")
+      return "has no unit that is known here";
+  } else {
+    return fmt::format("is {}, but must be a text or a whole number", written_type(node));
+  }
+  if (count < 1 || count > greatest / unit) return "is out of range";
+  record.*memory.member = count * unit;
   return "";
 }
 

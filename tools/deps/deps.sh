@@ -2,7 +2,7 @@
 # Finds what the named groups of targets need (tools/deps/needs.txt) and installs what is missing, with the system's own
 # package manager, through sudo when not root. Says nothing and touches nothing when all is there.
 #
-# Usage: tools/deps/deps.sh GROUP...      groups: run, test, identical, bench, report, peers, lammps, check, table, picture, render
+# Usage: tools/deps/deps.sh GROUP...      groups: run, test, identical, embedded, footprint, bench, report, peers, lammps, check, table, picture, render
 # Environment: CXX (the compiler to probe; default g++), INCLUDES (its -isystem flags).
 # Exit code: 0 all there now, 1 something is still missing.
 set -euo pipefail
@@ -19,6 +19,7 @@ missing_probes() {
     case $probe in
       "<"*) headers+=$probe$'\n' ;;
       CXX) command -v "${CXX%% *}" >/dev/null && compiles || echo CXX ;;
+      /*) [[ -e $probe ]] || echo "$probe" ;;
       *) command -v "$probe" >/dev/null || echo "$probe" ;;
     esac
   done <"$needs"

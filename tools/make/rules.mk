@@ -101,19 +101,18 @@ $(build)/tests: $(test_objects) $(run_objects)
 is_x86 := $(filter x86_64 amd64,$(machine))
 identical_of_any := native scalar lanes2 $(if $(is_x86),x86-64)
 identical_tested := $(if $(SAN),,$(identical_of_any))
-identical_all := $(identical_of_any) $(if $(is_x86),x86-64-v3 x86-64-v4 $(if $(filter Linux,$(shell uname -s)),aarch64))
+identical_all := $(identical_of_any) $(if $(is_x86),x86-64-v3 x86-64-v4 $(if $(filter Linux,$(shell uname -s)),aarch64 cortex-m7))
 cross_compiler := aarch64-linux-gnu-g++
 .PHONY: build-identical build-identical-tested
 build-identical: $(identical_all:%=$(build)/identical/%)
 build-identical-tested: $(identical_tested:%=$(build)/identical/%)
 build-tests: build-identical-tested
-$(identical_all:%=$(build)/identical/%): $(build)/identical/%: tests/identical/main.cpp tools/make/variant.mk \
+$(build)/identical/cortex-m7: $(startup)
+$(identical_all:%=$(build)/identical/%): $(build)/identical/%: tests/identical/main.cpp tools/make/variant.mk tools/make/embedded.mk \
   | $(build)/cases/plug_u24.hpp $(build)/cases/settle.hpp
 	@mkdir -p $(@D)
 	$(call say,compile $< for $*)
-	$(quiet)$(if $(filter aarch64,$*),$(cross_compiler) -static,$(CXX)) -MMD -MP -MF $@.d -MT $@ -std=c++20 $(warnings) -I$(build) -I. \
-	  $(if $(filter native,$*),-O3,-O1) $(call arch_of,$*) $(call lanes_of,$(patsubst lanes%,%,$(filter lanes%,$(*:scalar=lanes1)))) \
-	  $(math_rules) $< -o $@
+	$(quiet)$(call variant_compiler,$*) -I$(build) -MMD -MP -MF $@.d -MT $@ $< -o $@ $(call variant_link,$*,$@)
 
 # Benchmarks: compiled like the programs, because it is those that are timed. bench/one_case.cpp is compiled for a case.
 bench_objects := $(call objects,$(filter-out bench/one_case.cpp,$(wildcard bench/*.cpp)))

@@ -42,6 +42,9 @@ class CaseAdapter final : public SimulationView {
       const auto use = simulation_.high_water(k);
       list.push_back({use.name, use.limit, use.high_water});
     }
+    const long long size = sizeof(Simulation<Case>);
+    list.push_back({"memory", size, size});
+    if constexpr (requires { Case::memory_budget; }) list.back().limit = Case::memory_budget;
     return list;
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "capacity_advice.hpp"
 #include "energy_balance.hpp"
 
 namespace fixdem::program {
@@ -111,6 +112,7 @@ std::string describe_outcome(const CaseFacts& facts, const Outcome& outcome) {
       outcome.status, outcome.snapshot.step, outcome.snapshot.time, outcome.wall_time, 1e-6 * rate(facts, outcome));
   if (facts.energy_ledger)
     text += fmt::format("energy balance error {:.2e}\n", balance_error(outcome.start_energy, outcome.energy));
+  text += describe_capacities(outcome.capacities);
   if (outcome.plug && std::isfinite(outcome.plug->front_velocity)) {
     const PlugResult& p = *outcome.plug;
     text += fmt::format(

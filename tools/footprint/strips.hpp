@@ -1,0 +1,76 @@
+// One scene with every feature, and the same scene stripped of them one by one; what goes with each is asserted.
+//
+// A square rod of 60 layers of 2 x 2 spheres that just fits its pipe: each sphere presses on four others (five with the
+// one across the ends) and on the wall, so that every kind of contact is at work in every step.
+#pragma once
+
+#include "cases/plug_u24.hpp"
+#include "kernel/fixdem.hpp"
+
+namespace fixdem::footprint {
+
+struct everything : cases::plug_u24 {
+  static constexpr int particle_count = 240;
+  static constexpr double spacing = 0.99999 * diameter;
+  static constexpr double pipe_diameter = 2.4141 * diameter, pipe_length = 60 * spacing;
+  static constexpr int slice_count = 60;
+  static constexpr auto integrator = Integrator::leapfrog;
+};
+struct without_gas : everything {
+  static constexpr bool has_gas = false;
+};
+struct without_friction : without_gas {
+  static constexpr double friction = 0;
+};
+struct without_wall : without_friction {
+  static constexpr bool has_wall = false;
+};
+struct without_ends : without_wall {
+  static constexpr auto ends = Ends::open;
+};
+struct without_ledger : without_ends {
+  static constexpr bool energy_ledger = false;
+};
+struct pairs_only : without_ledger {
+  static constexpr auto integrator = Integrator::euler;
+};
+
+template <class Visit>
+void for_each_strip(Visit visit) {
+  visit.template operator()<everything>("everything");
+  visit.template operator()<without_gas>("no gas");
+  visit.template operator()<without_friction>("no friction, so no rotation");
+  visit.template operator()<without_wall>("no wall");
+  visit.template operator()<without_ends>("no periodic ends");
+  visit.template operator()<without_ledger>("no energy ledger");
+  visit.template operator()<pairs_only>("no prediction (Euler): pairs alone");
+}
+
+// No gas: no slices, and no force of the gas for each particle.
+static_assert(sizeof(GasSlices<everything>) > 1000 && __is_empty(GasSlices<without_gas>));
+static_assert(sizeof(Particles<everything>) - sizeof(Particles<without_gas>) == everything::particle_count * 4 * 8);
+// No friction: no angular velocity, no history, and force rows half as wide.
+static_assert(Particles<without_gas>::motion_width == 8 && Particles<without_friction>::motion_width == 4);
+static_assert(Contacts<without_gas>::row_width == 8 && Contacts<without_friction>::row_width == 4);
+static_assert(!__is_empty(decltype(PairBatches<without_gas>::history)));
+static_assert(__is_empty(decltype(PairBatches<without_friction>::history)) &&
+              __is_empty(KeptHistory<without_friction>) && !__is_empty(KeptHistory<without_gas>));
+// No wall: no list of those near it, and so no history of it.
+static_assert(!__is_empty(decltype(Contacts<without_friction>::pipe)) &&
+              __is_empty(decltype(Contacts<without_wall>::pipe)));
+// No periodic ends: no range of pairs across them.
+static_assert(PairBatches<without_wall>::ranges - PairBatches<without_ends>::ranges == 1);
+// No ledger, no prediction.
+static_assert(sizeof(Watch<without_ledger>) < sizeof(Watch<without_ends>));
+static_assert(sizeof(Particles<without_ledger>) - sizeof(Particles<pairs_only>) == everything::particle_count * 4 * 8);
+
+/// Sphere `id` of the rod, with a small velocity of its own.
+inline Particle of_rod(int id) {
+  const double d = everything::spacing;
+  const int layer = id / 4;
+  const double x = id % 2 == 0 ? -0.5 : 0.5, y = id / 2 % 2 == 0 ? -0.5 : 0.5;
+  const auto some = [&](int k) { return 1e-3 * ((37 * id + 11 * k) % 19 - 9); };
+  return {{d * x, d * y, d * (layer + 0.5)}, {some(0), some(1), some(2)}, {}};
+}
+
+}  // namespace fixdem::footprint

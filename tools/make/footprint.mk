@@ -1,0 +1,22 @@
+# What a scene costs: `make footprint`. Programs are compiled as those of cases are, but for AVX2 also on a machine with
+# more, because callgrind knows no more.
+
+footprint := $(build)/footprint
+footprint_flags := -std=c++20 $(warnings) -I$(build) -I. -O3 $(call arch_of,$(if $(is_x86),x86-64-v3,native)) $(math_rules)
+
+$(footprint)/strips: tools/footprint/strips.cpp tools/make/footprint.mk $(build)/cases/plug_u24.hpp
+	@mkdir -p $(@D)
+	$(call say,compile $<)
+	$(quiet)$(CXX) $(footprint_flags) -MMD -MP -MF $@.d -MT $@ $< -o $@
+
+# The start state of a case: embedded.mk, one case at a time.
+$(footprint)/cases/$(case_name): tools/footprint/one_case.cpp tools/make/footprint.mk $(embedded)/start.hpp
+	@mkdir -p $(@D)
+	$(call say,compile $< for $(case_name))
+	$(quiet)$(CXX) $(footprint_flags) $(case_defines) -DFIXDEM_START_HEADER='"embedded/$(case_name)/start.hpp"' \
+	  -MMD -MP -MF $@.d -MT $@ $< -o $@
+
+.PHONY: build-footprint
+build-footprint: $(footprint)/strips $(footprint)/cases/$(case_name)
+
+-include $(wildcard $(footprint)/*.d $(footprint)/cases/*.d)

@@ -1,0 +1,14 @@
+// How full the kernel's fixed arrays have been in a run, and what to set in the case: shrink or grow.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulation_view.hpp"
+
+namespace fixdem::program {
+
+/// One line of uses, and one of advice where there is any. Empty when a mark is missing.
+std::string describe_capacities(const std::vector<CapacityUse>&);
+
+}  // namespace fixdem::program
