@@ -34,6 +34,7 @@ include tools/make/rules.mk
 include tools/make/stability.mk
 include tools/make/embedded.mk
 include tools/make/footprint.mk
+include tools/make/frontier.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
@@ -159,6 +160,17 @@ stability:  ## how far CASE is from instability: page, tables and pictures in be
 	+@$(MAKE) final-state CASE='$(case_file)' OUT= SEED= ARGS=
 	+tools/stability/stability.py --case-file $(case_file) --casegen $(casegen) --folder $(stability) --results $(usual) \
 	  --make '$(MAKE) $(parallel) CASE=$(case_file)' --out $(stability_out) $(if $(QUICK),--quick)
+
+.PHONY: frontier
+frontier:  ## error against run time for CASE: bench/reports/CASE/frontier.md; QUICK=1 only tries everything out
+	$(needs) run frontier
+	$(files) build-program
+	+@$(MAKE) final-state OUT= SEED= ARGS=
+	$(files) build-frontier
+	+@from="$$($(casegen) --start-from $(case_file))"; [ -z "$$from" ] || $(MAKE) build-program CASE=$$from
+	@from="$$($(casegen) --start-from $(case_file))"; tools/frontier/frontier.py --programs $(frontier) --case $(case_name) \
+	  --header $(case_header) --state $(frontier_state) $${from:+--fill $(build)/bin/$$(basename "$$from" .toml)} \
+	  --out $(if $(QUICK),$(frontier)/report --quick,bench/reports/$(case_name))
 
 .PHONY: check
 check:  ## formatting, clang-tidy, and the tests under address and undefined-behaviour sanitizers
