@@ -56,9 +56,10 @@ run:  ## build and run CASE, and first the case it starts from; results in OUT
 
 .PHONY: test
 test:  ## build and run every test; ends with "N passed, M failed"
-	$(needs) run test
-	+@$(MAKE) $(parallel) build-tests || { echo '0 passed, 1 failed'; exit 1; }
-	@IDENTICAL='$(identical_tested)' tests/run.sh '$(build)' '$(CXX)' $(test_flags)
+	$(needs) run test $(if $(SAN),,frontier)
+	+@$(MAKE) $(parallel) build-tests && { [ -n '$(SAN)' ] || $(MAKE) $(parallel) build-frontier CASE=settle QUICK=1; } || \
+	  { echo '0 passed, 1 failed'; exit 1; }
+	@IDENTICAL='$(identical_tested)' FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' tests/run.sh '$(build)' '$(CXX)' $(test_flags)
 
 .PHONY: identical
 identical:  ## run the same scenes, or CASE, on every instruction set and on a bare board, and compare the last bit; STEPS=n
@@ -162,15 +163,15 @@ stability:  ## how far CASE is from instability: page, tables and pictures in be
 	  --make '$(MAKE) $(parallel) CASE=$(case_file)' --out $(stability_out) $(if $(QUICK),--quick)
 
 .PHONY: frontier
-frontier:  ## error against run time for CASE: bench/reports/CASE/frontier.md; QUICK=1 only tries everything out
+frontier:  ## error against run time for CASE: bench/reports/CASE/frontier.md; QUICK=1: a part, to try it out
 	$(needs) run frontier
 	$(files) build-program
 	+@$(MAKE) final-state OUT= SEED= ARGS=
 	$(files) build-frontier
-	+@from="$$($(casegen) --start-from $(case_file))"; [ -z "$$from" ] || $(MAKE) build-program CASE=$$from
-	@from="$$($(casegen) --start-from $(case_file))"; tools/frontier/frontier.py --programs $(frontier) --case $(case_name) \
-	  --header $(case_header) --state $(frontier_state) $${from:+--fill $(build)/bin/$$(basename "$$from" .toml)} \
-	  --out $(if $(QUICK),$(frontier)/report --quick,bench/reports/$(case_name))
+	+@$(read_start); [ -z "$$from" ] || $(MAKE) build-program CASE="$$from"
+	@$(read_start); tools/frontier/frontier.py --programs $(frontier) --case $(case_name) --header $(case_header) \
+	  --state $(frontier_state) $${from:+--fill $(build)/bin/$$(basename "$$from" .toml)} $(if $(QUICK),--quick) \
+	  --out $(if $(QUICK),$(frontier)/report,bench/reports/$(case_name))
 
 .PHONY: check
 check:  ## formatting, clang-tidy, and the tests under address and undefined-behaviour sanitizers

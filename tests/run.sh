@@ -6,6 +6,8 @@
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
 # Environment: IDENTICAL, names of the programs in BUILD_FOLDER/identical that are compared, separated by
 # blanks; none: they are left out.
+# Environment: IDENTICAL, names of the programs in BUILD_FOLDER/identical that are compared, separated by blanks; FRONTIER,
+# folder of the programs of `make frontier QUICK=1`, or nothing.
 set -euo pipefail
 
 build=$1
@@ -63,5 +65,12 @@ echo "0 1" >"$reports/stability.count"
     --results "$build/stability/settle/run" --out "$build/stability/settle/page" --jobs "$cores" --count "$reports/stability.count" \
     >>"$reports/stability.txt" 2>&1 || cat "$reports/stability.txt"
 printf 'tests/%-28s %3d passed, %d failed\n' 'make stability QUICK=1' $(cat "$reports/stability.count")
+if [[ -n ${FRONTIER:-} ]]; then  # the quick form of make frontier, and what it must have found
+  echo "0 1" >"$reports/frontier.count"
+  { tools/frontier/frontier.py --quick --programs "$FRONTIER" --case settle --header "$build/cases/settle.hpp" \
+    --state "$FRONTIER/run/final.fixdem" --out "$FRONTIER/report" --jobs "$cores" &&
+    tests/frontier_test.py "$FRONTIER" "$reports/frontier.count"; } >"$reports/frontier.txt" 2>&1 || cat "$reports/frontier.txt"
+  printf 'tests/%-28s %3d passed, %d failed\n' frontier_test.py $(cat "$reports/frontier.count")
+fi
 
 cat "$reports"/*.count | awk '{ passed += $1; failed += $2 } END { print passed + 0 " passed, " failed + 0 " failed"; exit passed == 0 || failed > 0 }'

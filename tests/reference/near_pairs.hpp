@@ -1,4 +1,5 @@
-// Pairs of the reference that can touch soon: spares it the visit of all pairs in every step, without changing a bit.
+// Distances along the pipe, and the pairs of the reference that can touch soon: spares it the visit of all pairs in
+// every step, without changing a bit.
 //
 // A list of all pairs nearer than diameter + margin is complete, for contacts, until two spheres can have closed the
 // margin: as long as twice the greatest way of any sphere since is less than it. The list keeps the order of pairs, so
@@ -8,7 +9,17 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/case.hpp"
+
 namespace fixdem::reference {
+
+/// Difference of two places along the pipe, to the nearest image.
+template <class Case, class Scalar>
+Scalar axial_difference(Scalar to, Scalar from) {
+  const Scalar dz = to - from, length = Case::pipe_length;
+  if (Case::ends != Ends::periodic) return dz;
+  return dz > length / 2 ? dz - length : dz < -length / 2 ? dz + length : dz;
+}
 
 template <class Scalar>
 class NearPairs {

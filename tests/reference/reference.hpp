@@ -135,16 +135,9 @@ class Reference {
     if (s.x.z() >= length) s.x.z() -= length;
   }
 
-  /// Difference of two places along the pipe, to the nearest image.
-  static Scalar axial_difference(Scalar to, Scalar from) {
-    const Scalar dz = to - from;
-    if (Case::ends != Ends::periodic) return dz;
-    return dz > length / 2 ? dz - length : dz < -length / 2 ? dz + length : dz;
-  }
-
   Vector3 between(int i, int j) const {
     const Vector3 &from = spheres_[i].x, &to = spheres_[j].x;
-    return {to.x() - from.x(), to.y() - from.y(), axial_difference(to.z(), from.z())};
+    return {to.x() - from.x(), to.y() - from.y(), axial_difference<Case>(to.z(), from.z())};
   }
 
   /// Calls f(i, j, vector from i to j, distance) for every pair closer than `reach`.

@@ -1,7 +1,7 @@
 """The words of the page. Explanations are the same for every case; figures are filled in from the Result."""
 
 import report
-from page import HORIZON, MOMENTS, label
+from page import HORIZON, MOMENTS, OWN, label
 from report import number
 
 WHY_ORDER = """Why the observed order is not the nominal one: the damping grows with the fourth root of the overlap, whose slope is infinite
@@ -35,6 +35,8 @@ stored state has particles that still move.
 
 {r.still_table()}
 """
+    fine = r.errors.get("leapfrog.clip.double", {}).get((OWN, OWN), {})
+    own = f", whose own error after 1 ms is about {number(fine[1][0] / 64)} m, that of `leapfrog` at the case's step shrunk with it" if 1 in fine else ""
     gas = "" if not f.has_gas else """ The gas is renewed at the same interval in seconds for every step; rows *gas every* other numbers of steps
 show what that interval costs and saves. Which particles float is told at the case's own interval throughout."""
     return f"""# Error against run time: `{r.case}`
@@ -79,7 +81,7 @@ Error of the velocity:
 ## Many bodies, short horizon
 
 From the final state of the case, each component of every velocity changed at random by up to 0.05 m/s, so that contacts open, close and slide
-everywhere; {f.count} particles. Compared with the tests' reference program in long double at 1/64 of the case's step ({number(f.time_step / 64)} s, `leapfrog`). Root mean square way travelled: {ways}.
+everywhere; {f.count} particles. Compared with the tests' reference program in long double at 1/64 of the case's step ({number(f.time_step / 64)} s, `leapfrog`){own}. Root mean square way travelled: {ways}.
 
 **Chaos**: two runs at {step} s, one with positions moved by up to 1e-12 m, part {growth}. An error made at the beginning
 grows as fast, whatever the method; from some {HORIZON * 100:g} % of the way travelled on (`~` in the table above) neighbouring settings no longer

@@ -8,6 +8,8 @@ frontier_curves := euler.clip.double
 frontier_curves += euler.clip.mixed
 frontier_curves += leapfrog.clip.double
 frontier_curves += leapfrog.clip.mixed
+frontier_curves += impulse.exact.double
+frontier_curves += impulse.exact.mixed
 
 # Beside the curves, for single impacts: the other tangential laws (INTEGRATOR.SLIDER.PRECISION.LAW), and the slider that
 # does not converge.
@@ -32,14 +34,19 @@ endif
 frontier_gas := $(if $(QUICK),,$(shell grep -qs '^ *\[gas\]' $(case_file) && echo gas.euler.clip.double))
 frontier_programs := $(frontier)/exact $(frontier_curves:%=$(frontier)/bodies.%) $(frontier_gas:%=$(frontier)/bodies.%) \
   $(frontier_curves:%=$(frontier)/collide.%) $(frontier_laws:%=$(frontier)/collide.%)
-frontier_state = out/$(case_name)/final.fixdem
+# The settled or moving scene that trajectories start from; a quick run has one of its own.
+frontier_state := $(if $(QUICK),$(frontier)/run,out/$(case_name))/final.fixdem
+ifdef QUICK
+$(frontier_state): $(case_program)
+	$(quiet)$(read_start); $(case_program) --out $(@D) --quiet --no-frames $${start:+--start-state "$$start"}
+endif
 
 comma := ,
 frontier_word = $(word $(1),$(subst ., ,$(2)))
 frontier_choice = $(addprefix -DFIXDEM_INTEGRATOR=,$(call frontier_word,1,$(1))) $(addprefix -DFIXDEM_SLIDER=,$(call frontier_word,2,$(1))) \
   $(addprefix -DFIXDEM_PRECISION=,$(call frontier_word,3,$(1))) $(addprefix -DFIXDEM_TANGENTIAL=,$(call frontier_word,4,$(1)))
 # $(1): level of optimisation; $(2): what else
-frontier_compile = $(quiet)mkdir -p $(@D) && $(CXX) -MMD -MP -MF $@.d -MT $@ -I$(case_build) $(filter-out -O%,$(program_flags)) \
+frontier_compile = $(quiet)mkdir -p $(frontier)/notes && $(CXX) -MMD -MP -MF $(frontier)/notes/$(@F).d -MT $@ -I$(case_build) $(filter-out -O%,$(program_flags)) \
   $(1) $(2) $(call program_defines,$$($(casegen) --name $(case_file)),$(case_name))
 
 .PHONY: build-frontier
@@ -73,4 +80,4 @@ $(frontier)/collide.%: tools/frontier/collide.cpp $(case_header)
 	$(call frontier_compile,-Og,$(call frontier_choice,$*) -DFIXDEM_FACTORS=$(if \
 	  $(filter $*,$(frontier_laws)),$(frontier_steps_of_laws),$(frontier_steps_of_impacts))) $< $(libraries) -o $@
 
--include $(wildcard $(frontier)/*.d)
+-include $(wildcard $(frontier)/notes/*.d)
