@@ -167,6 +167,7 @@ frontier:  ## error against run time for CASE: bench/reports/CASE/frontier.md; Q
 	$(needs) run frontier
 	$(files) build-program
 	+@$(MAKE) final-state OUT= SEED= ARGS=
+	$(files) $(frontier)/truth
 	$(files) build-frontier
 	+@$(read_start); [ -z "$$from" ] || $(MAKE) build-program CASE="$$from"
 	@$(read_start); tools/frontier/frontier.py --programs $(frontier) --case $(case_name) --header $(case_header) \

@@ -7,6 +7,7 @@ from measure import ANGLES, lyapunov_time
 from report import number, table
 
 OWN = 1000  # the case's own time step and gas interval
+OBLIQUE = 2  # first oblique kind of impact
 MOMENTS = {1: "1 ms", 2: "5 ms", 3: "10 ms"}
 HORIZON = 0.02  # of the way travelled: from there on chaos, not the method, makes the error
 LIMITS = (0.01, 0.001)
@@ -27,6 +28,12 @@ def slope(points):
     return sum((x - mean_x) * (y - mean_y) for x, y in points) / sum((x - mean_x) ** 2 for x, _ in points)
 
 
+def velocity_errors(errors):
+    """Root mean square over head-on kinds of impact, and over oblique ones."""
+    groups = (range(OBLIQUE), range(OBLIQUE, len(ANGLES)))
+    return tuple(math.sqrt(sum(errors[k][0] ** 2 for k in group) / len(group)) for group in groups)
+
+
 class Point:
     """One setting: what it costs and how far off it is. run_time: processor seconds for a second of the scene."""
 
@@ -36,7 +43,7 @@ class Point:
         self.run_time = result.times[curve][setting] / self.step
         self.position = result.errors.get(curve, {}).get(setting, {})
         errors = result.impacts.get(curve.removeprefix("gas."), ({},))[0].get(self.factor)
-        self.rebound = errors[None][0] if errors else math.nan
+        self.head_on, self.oblique = velocity_errors(errors) if errors else (math.nan, math.nan)
         steps = max(1, int(result.facts.gas_interval * self.gas / self.factor + 0.5))  # as setting.hpp
         self.gas_steps = steps if result.facts.has_gas else None
 
@@ -69,16 +76,16 @@ class Result:
 
     def main_table(self):
         points = self.points()
-        best_position, best_rebound = pareto(points, lambda p: p.error(1)), pareto(points, lambda p: p.rebound)
-        head = ["integrator, precision", "time step, s", *(["gas every, steps"] if self.facts.has_gas else []), "run time per simulated s, s",
-                "rebound error", *(f"position error {m}, m" for m in MOMENTS.values()), "greatest 1 ms, m", "Pareto"]
+        best = {"head on": pareto(points, lambda p: p.head_on), "oblique": pareto(points, lambda p: p.oblique), "positions": pareto(points, lambda p: p.error(1))}
+        head = ["integrator, precision", "time step, s", *(["gas every, steps"] if self.facts.has_gas else []), "run time, s", "rebound, head on", "oblique",
+                *(f"positions, {m}, m" for m in MOMENTS.values()), "greatest, 1 ms, m", "Pareto"]
         rows = []
         for p in points:
-            marks = [name for name, best in (("position", best_position), ("rebound", best_rebound)) if p in best]
+            marks = [name for name, of_name in best.items() if p in of_name]
             cells = [label(p.curve), number(p.step) + (" **(own)**" if (p.factor, p.gas) == (OWN, OWN) else "")]
             if self.facts.has_gas:
                 cells.append(str(p.gas_steps))
-            cells += [number(p.run_time, 3), number(p.rebound)]
+            cells += [number(p.run_time, 3), number(p.head_on), number(p.oblique)]
             for m in MOMENTS:
                 cells.append(number(p.error(m)) + (" ~" if p.relative(m) > HORIZON else ""))
             cells += [number(p.position[1][1]) if 1 in p.position else "-", ", ".join(marks)]
@@ -94,7 +101,7 @@ class Result:
 
     def last_line(self):
         parts = [self.cheapest(LIMITS[0], lambda p, m=m: p.relative(m), f"the way travelled in {MOMENTS[m]}") for m in (1, 2)]
-        parts += [self.cheapest(limit, lambda p: p.rebound, "the impact speed in a rebound") for limit in LIMITS]
+        parts += [self.cheapest(limit, error, f"the impact speed in {what} rebounds") for limit in LIMITS for error, what in ((lambda p: p.head_on, "head-on"), (lambda p: p.oblique, "oblique"))]
         return "For this scene, " + "; ".join(parts) + "."
 
     def orders_of_impacts(self):
@@ -102,17 +109,16 @@ class Result:
         for curve, (errors, stopped, _) in self.impacts.items():
             if ".paper." in curve:
                 continue
-            cells = [label(curve)]
-            for which in range(4):
-                fit = [(f, errors[f][None][which]) for f in errors if 100 <= f <= 5000]
-                cells.append(f"{number(slope(fit))}")
-            cells += [number(errors[f][None][0]) if f in errors else "-" for f in (100, OWN, 5000)]
+            fitted = [f for f in errors if 100 <= f <= 5000]
+            cells = [label(curve), *(number(slope([(f, velocity_errors(errors[f])[k]) for f in fitted])) for k in (0, 1))]
+            cells += [number(slope([(f, errors[f][None][which]) for f in fitted])) for which in (1, 2, 3)]
+            cells += [" / ".join(map(number, velocity_errors(errors[f]))) if f in errors else "-" for f in (100, OWN, 5000)]
             cells.append("; ".join(f"{number(f / 1000 * self.facts.time_step)} s: {why}" for f, why in stopped.items()) or "-")
             rows.append(cells)
         step = self.facts.time_step
         steps = f"{number(0.1 * step)} to {number(5 * step)} s"
-        head = ["setting", "order: velocity", "spin", "contact time", "greatest overlap", *(f"velocity error at {number(k * step)} s" for k in (0.1, 1, 5)), "stopped"]
-        return f"Orders are slopes fitted from {steps}.\n\n" + table(head, rows)
+        head = ["setting", "order: velocity, head on", "oblique", "spin", "contact time", "greatest overlap", *(f"errors at {number(k * step)} s" for k in (0.1, 1, 5)), "stopped"]
+        return f"Orders are slopes fitted from {steps}; errors of the velocity, head on / oblique.\n\n" + table(head, rows)
 
     def impacts_by_kind(self):
         rows, step = [], self.facts.time_step
@@ -127,7 +133,7 @@ class Result:
     def impacts_by_step(self):
         curves = [c for c in self.impacts if c.count(".") == 2 and ".paper." not in c]
         factors = sorted({f for c in curves for f in (*self.impacts[c][0], *self.impacts[c][1])})
-        rows = [[number(f / 1000 * self.facts.time_step), *(number(self.impacts[c][0][f][None][0]) if f in self.impacts[c][0] else "stopped" for c in curves)] for f in factors]
+        rows = [[number(f / 1000 * self.facts.time_step), *(" / ".join(map(number, velocity_errors(self.impacts[c][0][f]))) if f in self.impacts[c][0] else "stopped" for c in curves)] for f in factors]
         return table(["time step, s", *map(label, curves)], rows)
 
     def paper_slider(self):
@@ -197,14 +203,14 @@ class Result:
     # Files.
 
     def picture(self, path):
-        """Two panels over run time: error of rebounds, error of positions after 1 ms."""
+        """Three panels over run time: errors of rebounds, error of positions after 1 ms."""
         points = self.points()
         blocks, panels, own = [], [], []
         curves = list(dict.fromkeys(p.curve for p in points))
-        for k, (title, error) in enumerate((("rebound of single impacts", lambda p: p.rebound), ("position after 1 ms", lambda p: p.error(1) / self.facts.diameter))):
+        for k, (title, error) in enumerate((("rebound, head on", lambda p: p.head_on), ("rebound, oblique", lambda p: p.oblique), ("positions after 1 ms", lambda p: p.error(1) / self.facts.diameter))):
             draws = []
             for n, curve in enumerate(curves):
-                if curve.startswith("gas.") and k == 0:
+                if curve.startswith("gas.") and k < 2:
                     continue
                 kept = [p for p in points if p.curve == curve and not math.isnan(error(p))]
                 if not kept:
@@ -216,19 +222,19 @@ class Result:
                 own += [(k, p.run_time, error(p)) for p in kept if (p.factor, p.gas) == (OWN, OWN)]
             blocks.append(f"$own{k} << EOD\n" + "".join(f"{x} {y}\n" for j, x, y in own if j == k) + "EOD")
             draws.append(f"$own{k} with points pointtype 6 pointsize 2.2 linewidth 1.5 linecolor 'black' title '{number(self.facts.time_step)} s'")
-            unit = "rms error / impact speed" if k == 0 else "rms error / diameter"
+            unit = "rms error / impact speed" if k < 2 else "rms error / diameter"
             panels.append(f"set title '{title}'\nset ylabel '{unit}'\nplot " + ", ".join(draws))
         style = ("set border 3\nset tics nomirror out\nset logscale xy\nset format y '10^{%T}'\nset grid xtics ytics linecolor '#dddddd'\n"
-                 "set xlabel 'processor time for a simulated second, s'\nset key bottom left spacing 1.0\nset offsets 0, 0, graph 0.1, graph 0.6\nset multiplot layout 1,2\n")
-        report.gnuplot("\n".join(blocks) + "\n" + style + "\n".join(panels) + "\nunset multiplot\n", path)
+                 "set xlabel 'processor time for a simulated second, s'\nset key bottom left spacing 0.9 samplen 2 font ',10'\nset offsets 0, 0, graph 0.1, graph 0.6\nset multiplot layout 1,3\n")
+        report.gnuplot("\n".join(blocks) + "\n" + style + "\n".join(panels) + "\nunset multiplot\n", path, 1250, 460)
 
     def csv(self, folder):
-        head = ["integrator", "slider", "precision", "time_step_s", "gas_interval_steps", "run_time_per_simulated_second_s", "rebound_rms_error",
+        head = ["integrator", "slider", "precision", "time_step_s", "gas_interval_steps", "run_time_per_simulated_second_s", "head_on_rebound_rms_error", "oblique_rebound_rms_error",
                 *(f"position_{kind}_error_{m.replace(' ', '')}_m" for m in MOMENTS.values() for kind in ("rms", "greatest"))]
         rows = []
         for p in self.points():
             position = [v for m in MOMENTS for v in (p.position.get(m, (math.nan,) * 3)[:2])]
-            rows.append([*p.curve.removeprefix("gas.").split("."), p.step, p.gas_steps or "", p.run_time, p.rebound, *position])
+            rows.append([*p.curve.removeprefix("gas.").split("."), p.step, p.gas_steps or "", p.run_time, p.head_on, p.oblique, *position])
         report.write_csv(folder / "frontier.csv", head, rows)
         rows = [[curve, f / 1000 * self.facts.time_step, "all" if kind is None else f"{'pair' if kind == 0 else 'wall'} {ANGLES[kind]}", *values]
                 for curve, (errors, _, _) in self.impacts.items() for f, by_kind in errors.items() for kind, values in by_kind.items()]

@@ -46,8 +46,8 @@ show what that interval costs and saves. Which particles float is told at the ca
 ![Error against run time](frontier.svg)
 
 **Run time**: processor time of one simulated second of the whole scene, from the pushed state below; all programs take turns, the best of
-several rounds counts. **Rebound error**: root mean square error of the velocity after an impact over the impact speed, all kinds of impacts
-together. **Position error**: root mean square over the particles. `~`: more than {HORIZON * 100:g} % of the way travelled, where chaos has taken over. **Pareto**: no
+several rounds counts. **Rebound**: root mean square error of the velocity after an impact over the impact speed, of head-on and of oblique impacts (5 to 80°). **Positions**:
+error, root mean square over the particles. `~`: more than {HORIZON * 100:g} % of the way travelled, where chaos has taken over. **Pareto**: no
 other setting is both faster and nearer to the truth in that error (positions: after 1 ms).{gas} The near list is not among the knobs: it has no error. The trajectory compared with
 is computed by a program without one that is tested to agree to rounding with the kernel (`tests/agreement*_test.cpp`).
 
@@ -62,7 +62,7 @@ stick, slip) located, tolerance 1e-13 (tightened to 1e-15, no velocity changes b
 24 speeds and phases of the first touch for each kind; restitution {number(f.restitution)}. Root mean square errors; velocity and spin (times radius) over the impact speed, contact time and
 overlap relative. Contact time and overlap are read off the steps as a user would: straight lines before and after, a parabola at the top.
 
-Error of the velocity:
+Error of the velocity, head on / oblique:
 
 {r.impacts_by_step()}
 

@@ -50,7 +50,7 @@ frontier_compile = $(quiet)mkdir -p $(frontier)/notes && $(CXX) -MMD -MP -MF $(f
   $(1) $(2) $(call program_defines,$$($(casegen) --name $(case_file)),$(case_name))
 
 .PHONY: build-frontier
-# The truth first: it takes longest, and the rest is compiled meanwhile.
+# The truth first: it takes longest, and the rest is compiled meanwhile (make comes to it first only if its program is there).
 build-frontier: $(frontier)/truth.csv $(frontier_programs)
 
 $(frontier)/truth: tools/frontier/truth.cpp $(case_header) $(run_objects)
