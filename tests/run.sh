@@ -1,13 +1,12 @@
 #!/usr/bin/env bash
 # Runs the test program, one process per source file and as many at a time as there are cores, then the files that must
-# not compile, the freestanding and the stripped scene, the scenes that must be identical, the tests of tools/peers and the quick form of make
-# stability; ends with one line, `N passed, M failed`. The output of a source file is shown when something in it fails.
+# not compile, the freestanding and the stripped scene, the scenes that must be identical, the tests of tools/peers and the
+# quick forms of make stability and make frontier; ends with one line, `N passed, M failed`. The output of a source file is
+# shown when something in it fails.
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
-# Environment: IDENTICAL, names of the programs in BUILD_FOLDER/identical that are compared, separated by
-# blanks; none: they are left out.
 # Environment: IDENTICAL, names of the programs in BUILD_FOLDER/identical that are compared, separated by blanks; FRONTIER,
-# folder of the programs of `make frontier QUICK=1`, or nothing.
+# folder of the programs of `make frontier QUICK=1`. What is empty is left out.
 set -euo pipefail
 
 build=$1
@@ -44,33 +43,31 @@ if [[ $counted != "$known" ]]; then
 fi
 
 tests/compile_fail/run.sh "$reports/compile_fail.count" "$@" || true
-echo "0 1" >"$reports/freestanding.count"  # if it ends before it counts
-tests/freestanding_test.py "$reports/freestanding.count" "$build/freestanding" "$@" >"$reports/freestanding.txt" 2>&1 ||
-  cat "$reports/freestanding.txt"
-printf 'tests/%-28s %3d passed, %d failed\n' freestanding_test.py $(cat "$reports/freestanding.count")
-echo "0 1" >"$reports/footprint.count"
-tests/footprint_test.py "$reports/footprint.count" "$build/footprint-test" "$@" >"$reports/footprint.txt" 2>&1 ||
-  cat "$reports/footprint.txt"
-printf 'tests/%-28s %3d passed, %d failed\n' footprint_test.py $(cat "$reports/footprint.count")
-[[ -z $IDENTICAL ]] || tests/identical/run.sh "$reports/identical.count" "$build/identical" '' $IDENTICAL || true
 
-echo "0 1" >"$reports/peers.count"  # if it ends before it counts
-tests/peers_test.py "$reports/peers.count" >"$reports/peers.txt" 2>&1 || cat "$reports/peers.txt"
-printf 'tests/%-28s %3d passed, %d failed\n' peers_test.py $(cat "$reports/peers.count")
-
-# Limits of the time step and extreme scenes of `settle`: the quick form of make stability.
-echo "0 1" >"$reports/stability.count"
-"$build/bin/settle" --out "$build/stability/settle/run" --quiet --no-frames >"$reports/stability.txt" 2>&1 &&
-  tools/stability/stability.py --quick --case-file cases/settle.toml --casegen "$build/casegen" --folder "$build/stability/settle" \
-    --results "$build/stability/settle/run" --out "$build/stability/settle/page" --jobs "$cores" --count "$reports/stability.count" \
-    >>"$reports/stability.txt" 2>&1 || cat "$reports/stability.txt"
-printf 'tests/%-28s %3d passed, %d failed\n' 'make stability QUICK=1' $(cat "$reports/stability.count")
-if [[ -n ${FRONTIER:-} ]]; then  # the quick form of make frontier, and what it must have found
-  echo "0 1" >"$reports/frontier.count"
-  { tools/frontier/frontier.py --quick --programs "$FRONTIER" --case settle --header "$build/cases/settle.hpp" \
+# A test that is a program of its own: name, then the command, which writes what it counted to reports/NAME.count.
+run_part() {
+  local name=$1
+  shift
+  echo "0 1" >"$reports/$name.count"  # if it ends before it counts
+  "$@" >"$reports/$name.txt" 2>&1 || cat "$reports/$name.txt"
+  printf 'tests/%-28s %3d passed, %d failed\n' "$name" $(cat "$reports/$name.count")
+}
+quick_stability() {
+  local folder=$build/stability/settle
+  "$build/bin/settle" --out "$folder/run" --quiet --no-frames &&
+    tools/stability/stability.py --quick --case-file cases/settle.toml --casegen "$build/casegen" --folder "$folder" \
+      --results "$folder/run" --out "$folder/page" --jobs "$cores" --count "$reports/quick_stability.count"
+}
+quick_frontier() {
+  tools/frontier/frontier.py --quick --programs "$FRONTIER" --case settle --header "$build/cases/settle.hpp" \
     --state "$FRONTIER/run/final.fixdem" --out "$FRONTIER/report" --jobs "$cores" &&
-    tests/frontier_test.py "$FRONTIER" "$reports/frontier.count"; } >"$reports/frontier.txt" 2>&1 || cat "$reports/frontier.txt"
-  printf 'tests/%-28s %3d passed, %d failed\n' frontier_test.py $(cat "$reports/frontier.count")
-fi
+    tests/frontier_test.py "$FRONTIER" "$reports/quick_frontier.count"
+}
+run_part freestanding_test.py tests/freestanding_test.py "$reports/freestanding_test.py.count" "$build/freestanding" "$@"
+run_part footprint_test.py tests/footprint_test.py "$reports/footprint_test.py.count" "$build/footprint-test" "$@"
+[[ -z $IDENTICAL ]] || tests/identical/run.sh "$reports/identical.count" "$build/identical" '' $IDENTICAL || true
+run_part peers_test.py tests/peers_test.py "$reports/peers_test.py.count"
+run_part quick_stability quick_stability
+[[ -z ${FRONTIER:-} ]] || run_part quick_frontier quick_frontier
 
 cat "$reports"/*.count | awk '{ passed += $1; failed += $2 } END { print passed + 0 " passed, " failed + 0 " failed"; exit passed == 0 || failed > 0 }'
