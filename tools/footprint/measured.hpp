@@ -11,6 +11,13 @@
 
 #include "kernel/fixdem.hpp"
 
+/// A function that is compiled once and for any arguments: gcc would make copies for some of them.
+#if defined(__clang__)
+#define FIXDEM_ONE_COPY __attribute__((noinline))
+#else
+#define FIXDEM_ONE_COPY __attribute__((noipa))
+#endif
+
 namespace fixdem::footprint {
 
 /// Ticks of the processor's constant clock: at its nominal frequency, whatever it runs at.
@@ -24,7 +31,7 @@ inline unsigned long long ticks() {
 
 /// Whole steps and nothing else: what is reachable from here is the code of the step.
 template <class Simulation>
-[[gnu::noinline]] bool run_steps(Simulation& simulation, long long steps) {
+FIXDEM_ONE_COPY bool run_steps(Simulation& simulation, long long steps) {
   return simulation.run(steps).ok();
 }
 
