@@ -6,11 +6,10 @@
 //
 //   euler      4 u = (h^2 K + 2 h (C_n + C_t)) u         forces at the new place and the new velocity
 //   leapfrog   4 u = (h^2 K + 4 h C_n + 2 h C_t) u       damped normal velocity predicted from the two last ones
-//
 //   impulse    4 u = (h^2 K + 4 h C_n + 4 h C_t) u       G taken half a step on, slip extrapolated; on the safe side:
 //                                                        the means along the half steps soften K, and `after` C_n
 //
-// so that h is stable while the greatest eigenvalue of the matrix on the right is below 4. Without damping both are
+// so that h is stable while the greatest eigenvalue of the matrix on the right is below 4. Without damping all are
 // 2 / (greatest angular frequency). A new integrator is one more row.
 #pragma once
 
@@ -22,20 +21,19 @@ struct StepCriterion {
   Integrator integrator;
   const char* name;
   double normal_damping, tangential_damping;  ///< factors of h C_n and h C_t
+  bool is_exact;                              ///< where not, the true limit is greater
 };
 
 inline constexpr StepCriterion step_criteria[] = {
-    {Integrator::euler, "euler", 2, 2},
-    {Integrator::leapfrog, "leapfrog", 4, 2},
+    {Integrator::euler, "euler", 2, 2, true},
+    {Integrator::leapfrog, "leapfrog", 4, 2, true},
+    {Integrator::impulse, "impulse", 4, 4, false},
 };
-
-/// Beside the table, whose rows the reports of tools/stability measure as well as predict.
-inline constexpr StepCriterion impulse_criterion{Integrator::impulse, "impulse", 4, 4};
 
 constexpr const StepCriterion& criterion_of(Integrator integrator) {
   for (const StepCriterion& criterion : step_criteria)
     if (criterion.integrator == integrator) return criterion;
-  return impulse_criterion;
+  return step_criteria[0];
 }
 
 }  // namespace fixdem::program

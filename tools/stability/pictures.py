@@ -34,7 +34,7 @@ def data(folder, name, rows):
 def draw_limits(content, out):
     with tempfile.TemporaryDirectory() as folder:
         curves = []
-        for color, integrator in enumerate(("euler", "leapfrog"), 1):
+        for color, integrator in enumerate(dict.fromkeys(r["integrator"] for r in content["limits"]["rows"]), 1):
             rows = [r for r in content["limits"]["rows"] if r["scene"] == "settled bed" and r["integrator"] == integrator]
             rows = sorted((float(r["restitution"]), r["predicted step [s]"], r["measured limit [s]"], r["watched bound [s]"]) for r in rows)
             file = data(folder, f"{integrator}.dat", rows)

@@ -54,17 +54,23 @@ inline double greatest_overlap(const Reference& program) {
   return greatest;
 }
 
-/// Bed: kinetic energy a hundredfold of what the push gave within `steps`, or no number.
+/// Bed: kinetic energy a hundredfold of what the push gave within `steps`, or no number. With impulses springs at rest
+/// are shifted by an amount that depends on the step, so the bed has to move a little; there the bound is its elastic
+/// energy.
 inline bool bed_is_stable(Scene scene, long long steps) {
   constexpr double push = 1e-9;  // m/s
   program::RandomNumbers random(1);
   for (Particle& p : scene.particles)
     for (int c = 0; c < 3; ++c) p.velocity[c] = random.between(-push, push), p.angular_velocity[c] = 0;
   Reference program = loaded(scene);
-  const double given = program.energy().kinetic;
+  double greatest = 100 * program.energy().kinetic;
+  if (VariableCase::integrator == Integrator::impulse) {
+    program.run(1);
+    greatest = program.energy().elastic;
+  }
   for (long long done = 0; done < steps; done += 50) {
     program.run(50);
-    if (!(program.energy().kinetic <= 100 * given)) return false;
+    if (!(program.energy().kinetic <= greatest)) return false;
   }
   return true;
 }
