@@ -12,6 +12,7 @@ import csv
 import json
 import math
 import re
+import shutil
 import subprocess
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
@@ -158,8 +159,12 @@ def extremes(report, quick, has_gas):
 
 def no_particles(report):
     """The case with a count of 0 is for casegen to refuse."""
+    text = report.chosen.case_file.read_text()
     file = report.chosen.folder / "none.toml"
-    file.write_text(re.sub(r"(?m)^count *= *\d+", "count = 0", report.chosen.case_file.read_text()))
+    file.write_text(re.sub(r"(?m)^count *= *\d+", "count = 0", text))
+    start = tomllib.loads(text)["start"]
+    if before := isinstance(start, dict) and start.get("from"):
+        shutil.copy(report.chosen.case_file.with_name(f"{before}.toml"), report.chosen.folder)
     done = subprocess.run([str(report.chosen.casegen), str(file), "--output", str(file.with_suffix(".hpp"))], capture_output=True, text=True)
     said = done.stderr.replace(str(file), report.chosen.case_file.name)
     verdict = "refused" if done.returncode == 3 and "count" in said else "DEFECT"

@@ -79,6 +79,7 @@ inline bool bed_is_stable(Scene scene, long long steps) {
 /// gas's work), an overlap beyond the case's limit, or no number.
 inline bool run_is_stable(const Scene& scene, double duration) {
   Reference program = loaded(scene);
+  program.run(1);  // elastic energy is that of the last forces, and before the first step there are none
   const double begin = mechanical(program);
   double scale = std::fabs(begin);
   const auto steps = static_cast<long long>(duration / VariableCase::time_step);
