@@ -59,7 +59,7 @@ test:  ## build and run every test; ends with "N passed, M failed"
 	$(needs) run test $(if $(SAN),,frontier)
 	+@$(MAKE) $(parallel) build-tests && { [ -n '$(SAN)' ] || $(MAKE) $(parallel) build-frontier CASE=settle QUICK=1; } || \
 	  { echo '0 passed, 1 failed'; exit 1; }
-	@IDENTICAL='$(identical_tested)' FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' tests/run.sh '$(build)' '$(CXX)' $(test_flags)
+	@FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' tests/run.sh '$(build)' '$(CXX)' $(test_flags)
 
 .PHONY: identical
 identical:  ## run the same scenes, or CASE, on every instruction set and on a bare board, and compare the last bit; STEPS=n
@@ -69,7 +69,7 @@ identical:  ## run the same scenes, or CASE, on every instruction set and on a b
 .PHONY: identical-case identical-scenes
 identical-scenes:
 	$(files) build-identical
-	@tests/identical/run.sh '$(build)/identical/count' '$(build)/identical' '' $(identical_all)
+	@tests/identical/run.sh '$(build)/identical/count' '$(build)/identical' '' tests/golden/scenes.txt $(identical_all)
 
 identical-case:
 	$(files) case-start

@@ -1,29 +1,40 @@
-// Lane widths 8, 4, 2 and 1 give the same bytes: the scalar twin of the SIMD vocabulary against the registers.
+// Lane widths give the same bytes, the pinned ones: the scalar twin of the SIMD vocabulary against the registers.
 //
-// Agitated closed and periodic scenes with sliding, sticking, new and ended contacts, walls and gas, 2000 steps; every
-// particle's position, velocity and angular velocity is compared byte by byte.
+// Agitated closed and periodic scenes with sliding, sticking, new and ended contacts, walls and gas; every particle's
+// position, velocity and angular velocity and the energies are compared byte by byte: the widest registers with one
+// lane for every scene, the widths between for one of each precision. tests/golden/scenes.txt holds the hashes that
+// every instruction set must come to, as tests/identical/main.cpp prints them; `make golden` renews it.
 #include <doctest/doctest.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <sstream>
+#include <string>
 
 #include "identical/scenes.hpp"
 #include "kernel/fixdem.hpp"
+#include "program_run.hpp"
+#include "tools/embedded/state_hash.hpp"
 
 namespace {
 
 using namespace fixdem::tests::identical;
 
 template <class Case, int W>
-void compare_with_one_lane() {
-  auto wide = std::make_unique<fixdem::Simulation<Case, W>>();
-  auto narrow = std::make_unique<fixdem::Simulation<Case, 1>>();
-  place_agitated(*wide);
-  place_agitated(*narrow);
-  REQUIRE(wide->start().ok());
-  REQUIRE(narrow->start().ok());
-  REQUIRE(wide->run(2000).ok());
-  REQUIRE(narrow->run(2000).ok());
+std::unique_ptr<fixdem::Simulation<Case, W>> ended() {
+  auto simulation = std::make_unique<fixdem::Simulation<Case, W>>();
+  place_agitated(*simulation);
+  REQUIRE(simulation->start().ok());
+  REQUIRE(simulation->run(steps).ok());
+  CHECK(simulation->energy().dissipated_damping != 0);  // something did collide
+  return simulation;
+}
+
+template <class Case, int W, int Other>
+std::string compare_widths() {
+  const auto wide = ended<Case, W>();
+  const auto narrow = ended<Case, Other>();
   int different = 0;
   for (int id = 0; id < Case::particle_count; ++id) {
     const fixdem::Particle a = wide->particle(id), b = narrow->particle(id);
@@ -32,14 +43,32 @@ void compare_with_one_lane() {
   CHECK(different == 0);
   const fixdem::Energy a = wide->energy(), b = narrow->energy();
   CHECK(std::memcmp(&a, &b, sizeof a) == 0);
-  CHECK(a.dissipated_damping != 0);  // something did collide
+  char hash[32];
+  std::snprintf(hash, sizeof hash, "%016llx", fixdem::state_hash(*wide));
+  return hash;
 }
+
+constexpr int widest = FIXDEM_WIDEST_LANES;
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("widths agree byte for byte", Case, gas, smooth, leapfrog, paper, linear, mixed_gas, mixed_smooth,
-                   mixed_leapfrog, mixed_paper) {
-  if constexpr (FIXDEM_WIDEST_LANES >= 8) compare_with_one_lane<Case, 8>();
-  if constexpr (FIXDEM_WIDEST_LANES >= 4) compare_with_one_lane<Case, 4>();
-  if constexpr (FIXDEM_WIDEST_LANES >= 2) compare_with_one_lane<Case, 2>();
+TEST_CASE("golden: small scenes end in the same bytes with the widest registers and with one lane") {
+  std::string found;
+  for_each_scene([&]<class Case>(const char* name) {
+    CAPTURE(name);
+    found += std::string(name) + " " + compare_widths<Case, widest, 1>() + "\n";
+  });
+  const std::string file = FIXDEM_GOLDEN_SCENES;
+  if (std::getenv("FIXDEM_RENEW_GOLDEN") != nullptr) {
+    fixdem::tests::write_bytes(file, found);
+    return;
+  }
+  CHECK_MESSAGE(found == fixdem::tests::read_bytes(file), "if the results were meant to change: make golden");
+}
+
+TEST_CASE("the widths between end in the same bytes too") {
+  if constexpr (widest >= 4) {
+    compare_widths<gas, 2, widest / 2>();
+    compare_widths<mixed_paper, 2, widest / 2>();
+  }
 }

@@ -1,12 +1,10 @@
 #!/usr/bin/env bash
 # Runs the test program, one process per source file and as many at a time as there are cores, then the files that must
-# not compile, the freestanding and the stripped scene, the scenes that must be identical, the tests of tools/peers and the
-# quick forms of make stability and make frontier; ends with one line, `N passed, M failed`. The output of a source file is
-# shown when something in it fails.
+# not compile, the freestanding and the stripped scene, the tests of tools/peers and the quick forms of make stability and
+# make frontier; ends with one line, `N passed, M failed`. The output of a source file is shown when something in it fails.
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
-# Environment: IDENTICAL, names of the programs in BUILD_FOLDER/identical that are compared, separated by blanks; FRONTIER,
-# folder of the programs of `make frontier QUICK=1`. What is empty is left out.
+# Environment: FRONTIER, folder of the programs of `make frontier QUICK=1`; left out when empty.
 set -euo pipefail
 
 build=$1
@@ -65,7 +63,6 @@ quick_frontier() {
 }
 run_part freestanding_test.py tests/freestanding_test.py "$reports/freestanding_test.py.count" "$build/freestanding" "$@"
 run_part footprint_test.py tests/footprint_test.py "$reports/footprint_test.py.count" "$build/footprint-test" "$@"
-[[ -z $IDENTICAL ]] || tests/identical/run.sh "$reports/identical.count" "$build/identical" '' $IDENTICAL || true
 run_part peers_test.py tests/peers_test.py "$reports/peers_test.py.count"
 run_part quick_stability quick_stability
 [[ -z ${FRONTIER:-} ]] || run_part quick_frontier quick_frontier

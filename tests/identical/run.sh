@@ -3,8 +3,8 @@
 # than the first counts as one test: passed when it prints the same as the first. One that this machine cannot execute is
 # named and not counted.
 #
-# Usage: tests/identical/run.sh COUNT_FILE FOLDER ARGUMENT NAME...      FOLDER holds one program per NAME, each is run with
-# ARGUMENT unless that is empty; `aarch64` runs under qemu-aarch64 on any other machine, `cortex-m7` on an emulated board.
+# Usage: tests/identical/run.sh COUNT_FILE FOLDER ARGUMENT [FILE.txt] NAME...      FOLDER holds one program per NAME, each is
+# run with ARGUMENT unless that is empty; FILE.txt is what all must print, without it the first is compared with; `aarch64` runs under qemu-aarch64 on any other machine, `cortex-m7` on an emulated board.
 # Lines that begin with # are not compared. Writes "PASSED FAILED" to COUNT_FILE. Exit code: 0 when all are the same.
 set -euo pipefail
 
@@ -20,7 +20,8 @@ run() {
 }
 
 first=$1 passed=0 failed=0
-wanted=$(run "$first") || { echo "the program for '$first' failed:"$'\n'"$wanted" && failed=1; }
+if [[ $first == *.txt ]]; then run_first=(cat); else run_first=(run); fi
+wanted=$("${run_first[@]}" "$first") || { echo "the program for '$first' failed:"$'\n'"$wanted" && failed=1; }
 for name in "${@:2}"; do
   code=0
   found=$(run "$name" 2>&1) || code=$?

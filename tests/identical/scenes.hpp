@@ -67,4 +67,19 @@ struct mixed_paper : in_mixed_precision<paper> {};
 
 inline constexpr long long steps = 2000;
 
+/// Calls visit.template operator()<Case>(name) for each scene, in the order of tests/golden/scenes.txt.
+template <class Visit>
+void for_each_scene(Visit visit) {
+  visit.template operator()<gas>("gas");
+  visit.template operator()<smooth>("smooth");
+  visit.template operator()<leapfrog>("leapfrog");
+  visit.template operator()<paper>("paper");
+  visit.template operator()<linear>("linear");
+  visit.template operator()<impulse>("impulse");
+  visit.template operator()<mixed_gas>("mixed gas");
+  visit.template operator()<mixed_smooth>("mixed smooth");
+  visit.template operator()<mixed_leapfrog>("mixed leapfrog");
+  visit.template operator()<mixed_paper>("mixed paper");
+}
+
 }  // namespace fixdem::tests::identical

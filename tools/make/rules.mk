@@ -84,11 +84,23 @@ $(precision_programs): $(build)/precision/%: tools/run/main.cpp $(run_objects) t
 	@echo "fixdem: no case file '$@'; in cases/ there are: $(case_names)" >&2; exit 3
 
 # Tests: one program out of every tests/*.cpp; the headers of all cases come first because any test may use any case.
+# Headers of libraries that many tests include are compiled once (tests/precompiled.hpp); every test still includes what
+# it needs.
 test_objects := $(call objects,$(wildcard tests/*.cpp tests/reference/*.cpp))
-$(build)/objects/tests/%.o: tests/%.cpp tools/make/variant.mk | $(case_names:%=$(build)/cases/%.hpp)
+optimised_objects := $(optimised_tests:%=$(build)/objects/tests/%.o)
+precompiled := $(build)/precompiled/tests.hpp
+test_include = $(if $(filter $(optimised_objects) %/main.o,$@),,-include $(precompiled))
+$(precompiled).gch: tests/precompiled.hpp tools/make/variant.mk
 	@mkdir -p $(@D)
 	$(call say,compile $<)
-	$(compile) $(test_flags) $(test_defines) -c $< -o $@
+	$(quiet)cp $< $(precompiled)
+	$(quiet)$(CXX) $(test_flags) $(test_defines) -x c++-header -c $(precompiled) -o $@
+
+$(optimised_objects): test_flags := $(test_flags) -O1
+$(build)/objects/tests/%.o: tests/%.cpp tools/make/variant.mk $(precompiled).gch | $(case_names:%=$(build)/cases/%.hpp)
+	@mkdir -p $(@D)
+	$(call say,compile $<)
+	$(compile) $(test_flags) $(test_defines) $(test_include) -c $< -o $@
 
 $(build)/tests: $(test_objects) $(run_objects)
 	@mkdir -p $(build)/scratch
@@ -96,17 +108,13 @@ $(build)/tests: $(test_objects) $(run_objects)
 	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -o $@
 
 # The scenes that must be identical, once for each instruction set: `native` as programs are compiled, the others at a
-# lower level of optimisation, which must not matter either. Those of `make test` need no other compiler and run on any
-# machine of the kind; `make identical` adds the rest. They are never built with sanitizers.
+# lower level of optimisation, which must not matter either. `make test` compares this machine's with the same pinned hashes
+# (tests/lanes_test.cpp), `make identical` all of them. They are never built with sanitizers.
 is_x86 := $(filter x86_64 amd64,$(machine))
-identical_of_any := native scalar lanes2 $(if $(is_x86),x86-64)
-identical_tested := $(if $(SAN),,$(identical_of_any))
-identical_all := $(identical_of_any) $(if $(is_x86),x86-64-v3 x86-64-v4 $(if $(filter Linux,$(shell uname -s)),aarch64 cortex-m7))
+identical_all := native scalar lanes2 $(if $(is_x86),x86-64) $(if $(is_x86),x86-64-v3 x86-64-v4 $(if $(filter Linux,$(shell uname -s)),aarch64 cortex-m7))
 cross_compiler := aarch64-linux-gnu-g++
-.PHONY: build-identical build-identical-tested
+.PHONY: build-identical
 build-identical: $(identical_all:%=$(build)/identical/%)
-build-identical-tested: $(identical_tested:%=$(build)/identical/%)
-build-tests: build-identical-tested
 $(build)/identical/cortex-m7: $(startup)
 $(identical_all:%=$(build)/identical/%): $(build)/identical/%: tests/identical/main.cpp tools/make/variant.mk tools/make/embedded.mk \
   | $(build)/cases/plug_u24.hpp $(build)/cases/settle.hpp
