@@ -113,7 +113,7 @@ std::string fault_advice(const CaseFacts& facts, const Status& status, double sp
         speed, duration, steps, facts.time_step, two_digits_below(duration / 20));
   return fmt::format(
       "a contact at {:.3g} m/s lasts {:.2g} time steps, which is enough: the particles are pressed together or driven "
-      "out by\n  speed, gravity or gas; look at the last frame, and raise the stiffness{} if it is meant",
+      "out by speed, gravity or gas\n  look at the last frame, and raise the stiffness{} if it is meant",
       speed, steps, status.fault == Fault::overlap ? " or [run] max_overlap" : "");
 }
 
