@@ -84,6 +84,29 @@ def table(figures, context, runs):
     return "\n".join(lines)
 
 
+# The few figures that stand in the README of the project, and what they are there.
+HEAD = {"bed/1000": "settled bed, 1000 particles", "bed/100000": "settled bed, 100 000 particles",
+        "agitated/1000": "1000 particles in flight, few touch", "plug/1000": "the plug with gas, 1000 particles"}
+
+
+def head_table(figures, context):
+    lines = [f"Million particle-steps/s of processor time, best runs of `make bench-report`. {machine(context)}.", "",
+             "| scene | double | mixed |", "|---|---|---|"]
+    for scene, meaning in HEAD.items():
+        cells = [figures.get(f"step/{scene}/{precision}") for precision in ("double", "mixed")]
+        lines.append(f"| {meaning} | " + " | ".join(rate(f.best) if f else "-" for f in cells) + " |")
+    return "\n".join(lines)
+
+
+def split_at_marks(file):
+    """What stands before and behind the part of a file that is written here."""
+    text = file.read_text()
+    end = text.find(END, text.find(BEGIN))
+    if not 0 <= text.find(BEGIN) < end:
+        raise SystemExit(f"{file}: no line {BEGIN} followed by a line {END}")
+    return text[: text.index(BEGIN) + len(BEGIN)], text[end:]
+
+
 def breakdown(figures, precision):
     """Cycles per particle-step of the bed of 1000: its stages, what is left over, the whole and the bound."""
     names = {stage: f"stage/{stage}/1000/{precision}" for stage in STAGES_OF_BED}
@@ -161,11 +184,10 @@ def main():
     arguments.add_argument("json", type=Path, nargs="+", help="Google Benchmark's JSON of one run each")
     arguments.add_argument("--reports", type=Path, required=True, help="folder for speed.md, speed.csv and speed.svg")
     arguments.add_argument("--readme", type=Path, required=True, help=f"file with a line {BEGIN} and a later line {END}")
+    arguments.add_argument("--head", type=Path, required=True, help="another such file, for the few figures that say most")
     chosen = arguments.parse_args()
-    text = chosen.readme.read_text()
-    end = text.find(END, text.find(BEGIN))
-    if not 0 <= text.find(BEGIN) < end:
-        raise SystemExit(f"{chosen.readme}: no line {BEGIN} followed by a line {END}")
+    before, after = split_at_marks(chosen.readme)
+    before_head, after_head = split_at_marks(chosen.head)
 
     figures, context = read(chosen.json)
     chosen.reports.mkdir(parents=True, exist_ok=True)
@@ -175,8 +197,8 @@ def main():
     table_text = table(figures, context, runs)
     stages = "\n".join(filter(None, (breakdown_text(breakdown(figures, p), p) for p in precisions(figures))))
     (chosen.reports / "speed.md").write_text(f"# Speed\n\n{table_text}\n\n{stages}\n![Speed](speed.svg)\n")
-    before, after = text[: text.index(BEGIN) + len(BEGIN)], text[end:]
     chosen.readme.write_text(f"{before}\n{table_text}\n\n{stages}{after}")
+    chosen.head.write_text(f"{before_head}\n{head_table(figures, context)}\n{after_head}")
     print(table_text, stages, sep="\n\n")
 
 
