@@ -35,6 +35,7 @@ include tools/make/stability.mk
 include tools/make/embedded.mk
 include tools/make/footprint.mk
 include tools/make/frontier.mk
+include tools/make/fuzz.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
@@ -93,6 +94,12 @@ footprint:  ## memory, code, instructions and cycles of every case and of a scen
 	@tools/footprint/footprint.py --strips $(footprint)/strips --programs $(footprint)/cases --headers $(build)/cases \
 	  --readme kernel/README.md $(case_names)
 
+.PHONY: fuzz
+fuzz:  ## throw hostile cases, state files and particles at the readers and the kernel for TIME seconds in all
+	$(needs) run test fuzz
+	$(files) build-fuzz
+	@tests/fuzz/run.sh $(fuzz) $(TIME) $(fuzz_targets)
+
 .PHONY: golden
 golden:  ## pin the final states of all cases anew (tests/golden/) and print what has changed
 	$(needs) run test
@@ -144,7 +151,7 @@ bench_runs := $(foreach n,1 2 3 4 5,$(build)/bench-report-$n.json)
 bench-report:  ## run the benchmarks five times (or read JSON=file): table, picture and bench/README.md
 	$(needs) run bench report
 	+@[ -n '$(JSON)' ] || { set -e; for json in $(bench_runs); do $(MAKE) bench-set JSON=$$json FILTER=; done; }
-	tools/bench_report/bench_report.py $(or $(JSON),$(bench_runs)) --reports bench/reports --readme bench/README.md
+	tools/bench_report/bench_report.py $(or $(JSON),$(bench_runs)) --reports bench/reports --readme bench/README.md --head README.md
 
 .PHONY: bench-peers
 bench-peers:  ## fixdem beside LAMMPS and LIGGGHTS, same scenes, one core; LMP=/path/to/lmp, JSON=file; rewrites the table in bench/README.md

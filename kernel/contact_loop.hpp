@@ -155,7 +155,7 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>
   Vec3<V> surface_velocity = motion.velocity;
   if constexpr (has_friction) surface_velocity = add_cross(motion.velocity, motion.spin, n);
 
-  bool is_done;
+  bool is_done = false;
   ContactForce<V> f;
   if constexpr (takes_impulses<Case>) {
     OverlapRoots<V> at{load<V>(g.repulsion), V{}, V{}};

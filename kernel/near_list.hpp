@@ -56,6 +56,7 @@ struct NearList {
 
   /// Whether some pair or wall of the range could touch unlisted. A NaN counts as yes.
   bool is_broken(int range) const {
+    if (range < 0) __builtin_unreachable();  // gcc 12 peels loops of a single chunk and then warns of range -1
     const Promise& p = promise[range];
     const int chunks = Cap::chunks;
     if (D::is_periodic && range == chunks) {

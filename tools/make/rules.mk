@@ -86,7 +86,8 @@ $(precision_programs): $(build)/precision/%: tools/run/main.cpp $(run_objects) t
 # Tests: one program out of every tests/*.cpp; the headers of all cases come first because any test may use any case.
 # Headers of libraries that many tests include are compiled once (tests/precompiled.hpp); every test still includes what
 # it needs.
-test_objects := $(call objects,$(wildcard tests/*.cpp tests/reference/*.cpp))
+test_objects := $(call objects,$(wildcard tests/*.cpp tests/reference/*.cpp tests/fuzz/*_target.cpp))
+test_defines += -DFIXDEM_CORPUS='"$(abspath tests/corpus)"'
 optimised_objects := $(optimised_tests:%=$(build)/objects/tests/%.o)
 precompiled := $(build)/precompiled/tests.hpp
 test_include = $(if $(filter $(optimised_objects) %/main.o,$@),,-include $(precompiled))
@@ -102,7 +103,7 @@ $(build)/objects/tests/%.o: tests/%.cpp tools/make/variant.mk $(precompiled).gch
 	$(call say,compile $<)
 	$(compile) $(test_flags) $(test_defines) $(test_include) -c $< -o $@
 
-$(build)/tests: $(test_objects) $(run_objects)
+$(build)/tests: $(test_objects) $(run_objects) $(filter-out %/main.o,$(casegen_objects))
 	@mkdir -p $(build)/scratch
 	$(call say,link $@)
 	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -o $@
