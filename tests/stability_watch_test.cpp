@@ -13,6 +13,7 @@
 #include "cases/settle.hpp"
 #include "program_run.hpp"
 #include "tools/run/failure.hpp"
+#include "tools/run/result_folder.hpp"
 #include "tools/run/time_loop.hpp"
 
 using namespace fixdem;
