@@ -107,6 +107,52 @@ TEST_CASE("checkpoint: another program's is refused with all that differs") {
   CHECK(contains(differences(there, {{"case", "settle"}}), "precision: double there, nothing here"));
 }
 
+TEST_CASE("outputs: log, dump and frames go on behind a position, whatever came after it") {
+  CaseFacts facts{};
+  facts.diameter = 0.01, facts.pipe_diameter = 0.05, facts.pipe_length = 0.8, facts.dump = true;
+  Options options;
+  options.out = scratch("outputs_unit");
+  prepare_folder(options.out);
+  Snapshot snapshot;
+  snapshot.particles.resize(2);
+  const auto write = [&](Outputs& outputs, int k) {
+    snapshot.step = k, snapshot.time = 1e-3 * k;
+    LogRow row;
+    row.step = k;
+    outputs.log(row);
+    outputs.frame(snapshot);
+  };
+  const auto bytes = [&] {
+    std::vector<std::string> all;
+    for (const char* name : {"log.csv", "dump.lammpstrj", "frames.pvd", "frames/frame_000002.vtp"})
+      all.push_back(read_bytes(options.out / name));
+    return all;
+  };
+  std::vector<std::string> whole;
+  OutputPosition position;
+  {
+    Outputs outputs(facts, options, nullptr);
+    for (int k = 0; k < 3; ++k) {
+      write(outputs, k);
+      if (k == 0) position = outputs.position();
+    }
+    outputs.flush();
+    whole = bytes();
+    write(outputs, 9);
+  }
+  CHECK(difference(options, position).empty());
+  {
+    Outputs outputs(facts, options, &position);
+    CHECK(outputs.frame_count() == 1);
+    CHECK_FALSE(files::exists(frame_path(options.out, 1)));
+    for (int k = 1; k < 3; ++k) write(outputs, k);
+  }
+  CHECK(bytes() == whole);
+  CHECK_FALSE(files::exists(frame_path(options.out, 3)));
+  write_bytes(options.out / "dump.lammpstrj", "x");
+  CHECK(contains(difference(options, position), "dump.lammpstrj is cut short: it has 1 bytes"));
+}
+
 namespace {
 
 constexpr const char* short_run = "--quiet --duration 0.006 --checkpoint-interval 0.001";

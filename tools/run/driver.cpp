@@ -37,6 +37,9 @@ int begin_run(SimulationView& view, const CaseFacts& facts, const Options& optio
   start_simulation(view, facts, options);
   make_folder(options.out);
   const FolderLock lock(options.out);
+  if (!options.quiet && !checkpoints_in(options.out).empty())
+    say(fmt::format("note: the unfinished run in {} is replaced; --resume would have gone on with it",
+                    options.out.string()));
   prepare_folder(options.out);
   catch_interrupts();
   return TimeLoop(view, facts, options).run();
