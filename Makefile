@@ -25,6 +25,7 @@ FILTER ?=
 JSON ?=
 LMP ?=
 STEPS ?=
+RESUME ?=
 
 # Some targets do one thing for a case that is asked for, and another without.
 case_given := $(filter command environment,$(origin CASE))
@@ -49,18 +50,26 @@ help:  ## this list
 	@echo 'CASE is a name in cases/ or the path of any .toml file. ARCH: native, scalar, x86-64-v4, x86-64-v3 or x86-64.'
 
 .PHONY: run
-run:  ## build and run CASE, and first the case it starts from; results in OUT
+run:  ## build and run CASE, and first the case it starts from; results in OUT; RESUME=1 (or a checkpoint) goes on with a run
 	$(needs) run
 	$(files) build-program
 	$(files) start-state
-	@$(read_start); $(call run_case,$(OUT))$(if $(filter $(usual),$(OUT)),; $(leave_mark))
+	@$(read_start); $(call run_case,$(OUT)) $(resume)$(if $(RESUME),,$(if $(filter $(usual),$(OUT)),; $(leave_mark)))
 
 .PHONY: test
 test:  ## build and run every test; ends with "N passed, M failed"
 	$(needs) run test $(if $(SAN),,frontier)
 	+@$(MAKE) $(parallel) build-tests && { [ -n '$(SAN)' ] || $(MAKE) $(parallel) build-frontier CASE=settle QUICK=1; } || \
 	  { echo '0 passed, 1 failed'; exit 1; }
-	@FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' tests/run.sh '$(build)' '$(CXX)' $(test_flags)
+	@FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' KILLS='$(if $(SAN),,100)' tests/run.sh '$(build)' '$(CXX)' $(test_flags)
+
+.PHONY: soak
+soak:  ## kill runs at random moments, in writing too, and resume them, for TIME=600 seconds; prints the figures
+	$(needs) run test
+	$(files) $(addprefix $(build)/bin/,$(soak_cases))
+	+@$(MAKE) final-state CASE=fill_500 SEED= OUT= ARGS=
+	@mkdir -p $(build)/scratch
+	@tests/kill_test.py $(build)/bin $(build)/scratch/soak --starts out --time $(or $(TIME),600)
 
 .PHONY: identical
 identical:  ## run the same scenes, or CASE, on every instruction set and on a bare board, and compare the last bit; STEPS=n

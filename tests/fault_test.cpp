@@ -1,77 +1,16 @@
-// What stops a run: each fault names the right kind, step, particle, value and limit; it is final; and no byte outside
-// the simulation is touched. (Writes between its arrays are for the sanitizers: make test SAN=1.)
+// What stops a run: each fault names the right kind, step, particle, value and limit; it is final; no byte outside the
+// simulation is touched (writes between its arrays are for the sanitizers: make test SAN=1); and the program around it
+// stops at the last good step.
 #include <unistd.h>
 
-#include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "cases/pipe_bed.hpp"
 #include "cases/plug_u24.hpp"
-#include "guarded.hpp"
-#include "scenes.hpp"
+#include "fault_checks.hpp"
 
 namespace fixdem::tests {
 namespace {
-
-struct Expected {
-  Fault fault;
-  int particle;
-  double value, limit;
-};
-
-void check_status(const Status& status, const Expected& expected) {
-  CHECK(status.fault == expected.fault);
-  CHECK(status.particle == expected.particle);
-  if (std::isnan(expected.value)) {
-    CHECK(!std::isfinite(status.value));
-  } else {
-    CHECK(status.value == doctest::Approx(expected.value).epsilon(1e-6));
-  }
-  CHECK(status.limit == doctest::Approx(expected.limit).epsilon(1e-12));
-}
-
-/// After a fault nothing moves and the status stays.
-template <class Case>
-void check_final(Simulation<Case>& simulation, const Status& status) {
-  const auto before = all_particles(simulation, Case::particle_count);
-  const Status again = simulation.run(10);
-  CHECK(again.fault == status.fault);
-  CHECK(again.step == status.step);
-  CHECK(again.particle == status.particle);
-  const auto after = all_particles(simulation, Case::particle_count);
-  CHECK(std::memcmp(before.data(), after.data(), before.size() * sizeof(Sphere)) == 0);
-}
-
-/// Refused by start(), at step 0.
-template <class Case>
-void check_refused(const Spheres& spheres, const Expected& expected) {
-  enter({Case::name, seed()});
-  Guarded<Case>& object = guarded<Case>();
-  place_all(object.simulation, spheres);
-  const Status status = object.simulation.start();
-  check_status(status, expected);
-  CHECK(status.step == 0);
-  CHECK(object.simulation.run(10).fault == expected.fault);
-  CHECK(object.simulation.step() == 0);
-  CHECK(object.intact());
-}
-
-/// Accepted by start(), stopped after `step` steps (within `slack`).
-template <class Case>
-Status check_stopped(const Spheres& spheres, const Expected& expected, double step, double slack) {
-  enter({Case::name, seed()});
-  Guarded<Case>& object = guarded<Case>();
-  place_all(object.simulation, spheres);
-  REQUIRE(object.simulation.start().ok());
-  const Status status = object.simulation.run(100000);
-  check_status(status, expected);
-  CHECK(std::abs(static_cast<double>(status.step) - step) <= slack);
-  CHECK(object.simulation.step() == status.step);
-  check_final(object.simulation, status);
-  CHECK(object.intact());
-  return status;
-}
 
 struct few : cases::pipe_bed {
   static constexpr int particle_count = 4;
@@ -127,18 +66,31 @@ struct zigzag : few {
   static constexpr int neighbour_capacity = 2;
 };
 
-TEST_CASE("fault: more pairs than a chunk holds") {
-  REQUIRE(Capacity<zigzag>::chunk_size == 64);
+/// `gap`: between the third and the fourth plane, in diameters.
+Spheres planes(double gap) {
   Spheres spheres(100);
   for (int k = 0; k < 100; ++k) {
     const int plane = k / 25;
     spheres[k].position[0] = 1.6 * d * (k % 25) + (plane % 2 == 0 ? 0 : 0.8 * d);
-    spheres[k].position[2] = 0.1 + (plane / 2 * 1.3 + plane % 2 * 0.6) * d;
+    spheres[k].position[2] = 0.1 + (plane == 3 ? 1.3 + gap : plane / 2 * 1.3 + plane % 2 * 0.6) * d;
   }
+  return spheres;
+}
+
+TEST_CASE("fault: more pairs than a chunk holds, at the start") {
+  REQUIRE(Capacity<zigzag>::chunk_size == 64);
   // 49 pairs of the first two planes, then 1 + 11 * 2 of the third: number 73 is the first of its 13th sphere.
   const int limit = Capacity<zigzag>::chunk_pairs;
   REQUIRE(limit == 72);
-  check_refused<zigzag>(spheres, {Fault::pair_capacity, 62, limit + 1.0, static_cast<double>(limit)});
+  check_refused<zigzag>(planes(0.6), {Fault::pair_capacity, 62, limit + 1.0, static_cast<double>(limit)});
+}
+
+TEST_CASE("fault: more pairs than a chunk holds, during the run") {
+  Spheres spheres = planes(0.9);
+  for (int k = 75; k < 100; ++k) spheres[k].velocity[2] = -1;
+  // Near from a distance of 1.04 d on at most: after 2.3 mm along z, or 1170 steps.
+  const int limit = Capacity<zigzag>::chunk_pairs;
+  check_stopped<zigzag>(spheres, {Fault::pair_capacity, 62, limit + 1.0, static_cast<double>(limit)}, 1250, 100);
 }
 
 /// More spheres beside each other than the pipe could hold: only without its wall.
@@ -147,14 +99,28 @@ struct crowd : few {
   static constexpr bool has_wall = false;
 };
 
-TEST_CASE("fault: more particles beside each other than a chunk holds") {
+/// 60 beside each other, 60 more `further` along (in diameters), and the rest out of the way.
+Spheres crowded(double further) {
   Spheres spheres(130);
   for (int k = 0; k < 130; ++k) {
     spheres[k].position[0] = 2 * d * k;
-    spheres[k].position[2] = 0.1 + 1e-9 * k;
+    spheres[k].position[2] = 0.1 + 1e-9 * k + (k < 60 ? 0 : k < 120 ? further * d : 5 * d);
   }
+  return spheres;
+}
+
+TEST_CASE("fault: more particles beside each other than a chunk holds, at the start") {
   const int limit = Capacity<crowd>::chunk_size;
-  check_refused<crowd>(spheres, {Fault::chunk_capacity, 0, 130, static_cast<double>(limit)});
+  REQUIRE(limit == 64);
+  check_refused<crowd>(crowded(0), {Fault::chunk_capacity, 0, 120, static_cast<double>(limit)});
+}
+
+TEST_CASE("fault: more particles beside each other than a chunk holds, during the run") {
+  Spheres spheres = crowded(2);
+  for (int k = 60; k < 120; ++k) spheres[k].velocity[2] = -1;
+  // Within reach at a distance of 1.24 d: after 7.6 mm or 3800 steps; sorted again whenever they have come 1 mm.
+  const int limit = Capacity<crowd>::chunk_size;
+  check_stopped<crowd>(spheres, {Fault::chunk_capacity, 0, 120, static_cast<double>(limit)}, 4000, 400);
 }
 
 TEST_CASE("fault: input that is no finite number") {
@@ -210,6 +176,7 @@ TEST_CASE("fault: outside the pipe during the run") {
   CHECK(std::abs(static_cast<double>(status.step) - 2520) < 40);
   check_final(object.simulation, status);
   CHECK(object.intact());
+  check_program<ghost_wall>(spheres, status);
 }
 
 TEST_CASE("fault: too deep an overlap at the start") {
@@ -242,6 +209,7 @@ TEST_CASE("fault: too deep an overlap during the run") {
   CHECK(std::abs(static_cast<double>(status.step) - 5420) < 10);
   check_final(object.simulation, status);
   CHECK(object.intact());
+  check_program<soft>(spheres, status);
 }
 
 TEST_CASE("fault: too fast") {

@@ -15,6 +15,7 @@
 #include "tools/run/energy_balance.hpp"
 #include "tools/run/failure.hpp"
 #include "tools/run/fault_report.hpp"
+#include "tools/run/neighbourhood.hpp"
 #include "tools/run/random_numbers.hpp"
 #include "tools/run/schedule.hpp"
 #include "tools/run/state_file.hpp"
@@ -238,6 +239,18 @@ TEST_CASE("capacities: how full they were, and what to set") {
   CHECK(described(12, 1000).find("nearly full: [capacity] neighbours = 16") != std::string::npos);
   CHECK(described(13, 300).find("neighbours = ") == std::string::npos);
   CHECK(describe_capacities({}).empty());
+}
+
+TEST_CASE("neighbourhood: the particles within three diameters, across the ends of a periodic pipe too") {
+  CaseFacts facts{};
+  facts.diameter = 0.01, facts.pipe_length = 0.8, facts.particle_count = 4;
+  Snapshot snapshot;
+  for (const double z : {0.005, 0.034, 0.036, 0.79}) snapshot.particles.push_back({{0, 0, z}, {}, {}});
+  CHECK(neighbourhood(facts, snapshot, 0) == std::vector<int>{0, 1});
+  CHECK(neighbourhood(facts, snapshot, 2) == std::vector<int>{1, 2});
+  CHECK(neighbourhood(facts, snapshot, -1) == std::vector<int>{0, 1, 2, 3});
+  facts.is_periodic = true;
+  CHECK(neighbourhood(facts, snapshot, 0) == std::vector<int>{0, 1, 3});
 }
 
 TEST_CASE("dump: a LAMMPS section that reads back exactly") {

@@ -17,6 +17,7 @@
 
 #include "program_run.hpp"
 #include "program_start.hpp"
+#include "tools/run/result_folder.hpp"
 
 using namespace fixdem::tests;
 using fixdem::program::decode_state;
@@ -144,6 +145,7 @@ TEST_CASE("program: a run that becomes unstable ends with 5, says why, and keeps
   CHECK(contains(run.standard_error, "fixdem: stopped at step "));
   CHECK(contains(run.standard_error, "particle "));
   CHECK(contains(run.standard_error, "limit "));
+  CHECK(contains(run.standard_error, "last good state: " + (run.out / "checkpoint-").string()));
   const auto summary = run.summary();
   CHECK(summary["status"] != "done");
   CHECK(summary["plug"]["front_velocity"].is_null());
@@ -164,7 +166,7 @@ long lines(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("program: a signal ends the run with 128 + its number and a complete set of files") {
-  for (int signal : {SIGTERM, SIGINT}) {
+  for (int signal : {SIGTERM, SIGINT, SIGXCPU}) {
     const auto out = scratch("signalled");
     std::filesystem::remove_all(out);
     const pid_t child = fork();
@@ -191,5 +193,8 @@ TEST_CASE("program: a signal ends the run with 128 + its number and a complete s
     CHECK_FALSE(state.complete);
     CHECK(state.step == summary["steps"]);
     CHECK(state.time < 1.2);
+    const auto checkpoints = fixdem::program::checkpoints_in(out);
+    REQUIRE(checkpoints.size() == 1);
+    CHECK(checkpoints[0].filename() == "checkpoint-" + std::to_string(state.step) + ".fixdem");
   }
 }

@@ -4,7 +4,8 @@
 # make frontier; ends with one line, `N passed, M failed`. The output of a source file is shown when something in it fails.
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
-# Environment: FRONTIER, folder of the programs of `make frontier QUICK=1`; left out when empty.
+# Environment: FRONTIER, folder of the programs of `make frontier QUICK=1`; KILLS, how often tests/kill_test.py kills. What is
+# empty is left out.
 set -euo pipefail
 
 build=$1
@@ -64,6 +65,8 @@ quick_frontier() {
 run_part freestanding_test.py tests/freestanding_test.py "$reports/freestanding_test.py.count" "$build/freestanding" "$@"
 run_part footprint_test.py tests/footprint_test.py "$reports/footprint_test.py.count" "$build/footprint-test" "$@"
 run_part peers_test.py tests/peers_test.py "$reports/peers_test.py.count"
+[[ -z ${KILLS:-} ]] || run_part kill_test.py tests/kill_test.py "$build/bin" "$build/scratch/kill" --kills "$KILLS" \
+  --count "$reports/kill_test.py.count"
 run_part quick_stability quick_stability
 [[ -z ${FRONTIER:-} ]] || run_part quick_frontier quick_frontier
 

@@ -13,6 +13,7 @@
 #include "cases/settle.hpp"
 #include "program_run.hpp"
 #include "tools/run/failure.hpp"
+#include "tools/run/result_folder.hpp"
 #include "tools/run/time_loop.hpp"
 
 using namespace fixdem;
@@ -116,7 +117,7 @@ TEST_CASE("stability watch: warns once, stops beyond the limit, and takes no num
 namespace {
 
 /// Nothing moves, and from the given step on two spheres touch.
-class Standing final : public SimulationView {
+class Standing : public SimulationView {
  public:
   explicit Standing(long long touching_from) : touching_from_(touching_from) {}
   void place(int, const Particle&) override {}
@@ -140,7 +141,39 @@ class Standing final : public SimulationView {
   long long touching_from_, step_ = 0;
 };
 
+/// One that cannot be copied, and fails after 10 steps.
+class Failing final : public Standing {
+ public:
+  Failing() : Standing(1000) {}
+  Status run(long long steps) override {
+    Standing::run(steps);
+    return step() < 10 ? Status{} : Status{Fault::too_fast, step(), 3, 0.8, 0.5};
+  }
+};
+
 }  // namespace
+
+TEST_CASE("a fault that cannot be gone back from is reported, and no good state is claimed") {
+  CaseFacts facts = case_facts<cases::settle>();
+  facts.log_interval = 0.01, facts.frame_interval = 0;
+  Options options;
+  options.out = scratch("no_way_back");
+  options.duration = 0.1, options.quiet = true;
+  prepare_folder(options.out);
+  Failing view;
+  std::string message;
+  try {
+    TimeLoop(view, facts, options).run();
+  } catch (const Failure& failure) {
+    CHECK(failure.code() == exit_unstable);
+    message = failure.what();
+  }
+  CHECK(contains(message, "particle 3 moves 0.8 radii in one step (limit 0.5)"));
+  CHECK_FALSE(contains(message, "good"));
+  CHECK(nlohmann::json::parse(read_bytes(options.out / "summary.json"))["status"] == "too_fast");
+  for (const char* name : {"fault.vtp", "stopped.fixdem", "final.fixdem"})
+    CHECK_FALSE(std::filesystem::exists(options.out / name));
+}
 
 TEST_CASE("stability watch: a run whose step is far too large ends with 5, says so, and leaves no final state") {
   CaseFacts facts = case_facts<cases::settle>();

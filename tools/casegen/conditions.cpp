@@ -115,7 +115,8 @@ void check_times(const Reading& reading, Report& report) {
                  "raise duration or lower time_step");
   const std::pair<const char*, double> intervals[] = {{"output.log_interval", v.log_interval},
                                                       {"output.frame_interval", v.frame_interval},
-                                                      {"output.sample_interval", v.sample_interval}};
+                                                      {"output.sample_interval", v.sample_interval},
+                                                      {"output.checkpoint_interval", v.checkpoint_interval}};
   for (const auto& [name, interval] : intervals)
     if (reading.has(name) && reading.usable({name}) && interval > 0 && interval < v.time_step)
       report.error(reading.place(name),

@@ -43,6 +43,9 @@ $(casegen): $(casegen_objects)
 	$(call say,link $@)
 	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -o $@
 
+# Which kernel a program has, for its checkpoints: they are continued by the same kernel only.
+kernel_checksum := -DFIXDEM_KERNEL='"$(shell cat kernel/*.hpp | cksum | tr ' ' -)"'
+
 # A case: its header, then the one program that is compiled for it. $(1): folder of the build, $(2): folder of the file.
 # The advice on the time step is shown for CASE, and for others when there is a warning.
 # casegen leaves a header alone when nothing in it changes, so that its program is not compiled again; the mark `.checked`
@@ -60,7 +63,7 @@ $(1)/cases/%.hpp: $(1)/cases/%.checked
 $(1)/bin/%: $(1)/cases/%.hpp tools/run/main.cpp $(run_objects) tools/make/variant.mk
 	@mkdir -p $$(@D)
 	$$(call say,compile the program of $(2)$$*.toml)
-	$(quiet)$$(CXX) -MMD -MP -MF $(1)/cases/$$*.d -MT $$@ -I$(1) $(program_flags) $(link_flags) \
+	$(quiet)$$(CXX) -MMD -MP -MF $(1)/cases/$$*.d -MT $$@ -I$(1) $(program_flags) $(link_flags) $(kernel_checksum) \
 	  $$(call program_defines,$$$$($(casegen) --name $(2)$$*.toml),$$*) tools/run/main.cpp $(run_objects) $(libraries) -o $$@
 
 $(1)/bench-case/%: $(1)/cases/%.hpp bench/one_case.cpp $(run_objects) tools/make/variant.mk
@@ -77,11 +80,14 @@ $(if $(is_shipped),,$(eval $(call case_rules,$(case_build),$(case_folder))))
 $(precision_programs): $(build)/precision/%: tools/run/main.cpp $(run_objects) tools/make/variant.mk | $(case_names:%=$(build)/cases/%.hpp)
 	@mkdir -p $(@D)
 	$(call say,compile the program of $*)
-	$(quiet)$(CXX) -MMD -MP -MF $@.d -MT $@ $(program_flags) $(link_flags) -DFIXDEM_PRECISION=$(patsubst %/,%,$(dir $*))_precision \
+	$(quiet)$(CXX) -MMD -MP -MF $@.d -MT $@ $(program_flags) $(link_flags) $(kernel_checksum) -DFIXDEM_PRECISION=$(patsubst %/,%,$(dir $*))_precision \
 	  $(call program_defines,$$($(casegen) --name cases/$(@F).toml),$(@F)) tools/run/main.cpp $(run_objects) $(libraries) -o $@
 
 %.toml:
 	@echo "fixdem: no case file '$@'; in cases/ there are: $(case_names)" >&2; exit 3
+
+# Cases of tests/kill_test.py, in its long form.
+soak_cases := settle settle_mixed collide_pair oblique_wall drag_single pipe_bed plug_u24_n500
 
 # Tests: one program out of every tests/*.cpp; the headers of all cases come first because any test may use any case.
 # Headers of libraries that many tests include are compiled once (tests/precompiled.hpp); every test still includes what
@@ -165,6 +171,8 @@ read_start = from="$$($(casegen) --start-from $(case_file))"; \
   start=$${from:+$(call results,$$(basename "$$from" .toml))/final.fixdem}
 run_case = $(case_program) --out $(1) \
   $${start:+--start-state "$$start"} $(if $(SEED),$$([ -n "$$start" ] || echo --seed $(SEED))) $(ARGS)
+# RESUME: 1, or the path of a checkpoint. What the run was to be then is written there, so a resumed one leaves no mark.
+resume = $(if $(RESUME),$(if $(filter 1,$(RESUME)),--resume,--resume-from $(RESUME)))
 leave_mark = $(if $(strip $(ARGS)),,touch $(mark))
 
 # Sees to the final state of the case that CASE starts from, and of the one that that starts from, and so on.

@@ -1,6 +1,8 @@
 // Puts the abstract view in front of Simulation<Case>: one line per function, nothing of its own.
 #pragma once
 
+#include <type_traits>
+
 #include "simulation_view.hpp"
 
 namespace fixdem::program {
@@ -46,6 +48,10 @@ class CaseAdapter final : public SimulationView {
     list.push_back({"memory", size, size});
     if constexpr (requires { Case::memory_budget; }) list.back().limit = Case::memory_budget;
     return list;
+  }
+  std::span<char> memory() override {
+    static_assert(std::is_trivially_copyable_v<Simulation<Case>>, "its bytes are its state");
+    return {reinterpret_cast<char*>(&simulation_), sizeof simulation_};
   }
 
  private:

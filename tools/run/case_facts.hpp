@@ -31,6 +31,7 @@ struct CaseFacts {
   double gravity[3];
   double time_step, duration;
   double log_interval, frame_interval, sample_interval;
+  double checkpoint_interval;  ///< 0: by the clock
   double reference_speed;
   double max_overlap;      ///< in radii; the kernel stops beyond
   double overlap_warning;  ///< in radii
@@ -57,6 +58,7 @@ struct CaseFacts {
 
   const char* instruction_set;  ///< of the translation unit that holds the kernel
   const char* compiler;
+  const char* kernel;  ///< checksum of its source, where make gave one
 
   double radius() const { return diameter / 2; }
   double solid_volume() const { return mass / density; }  ///< of one particle, m3
@@ -89,6 +91,10 @@ constexpr const char* compiler_name() {
 #endif
 }
 
+#ifndef FIXDEM_KERNEL
+#define FIXDEM_KERNEL "unknown"
+#endif
+
 template <class Case>
 constexpr CaseFacts case_facts() {
   using D = Derived<Case>;
@@ -102,7 +108,8 @@ constexpr CaseFacts case_facts() {
   for (int k = 0; k < 3; ++k) f.gravity[k] = Case::gravity[k];
   f.time_step = Case::time_step, f.duration = Case::duration;
   f.log_interval = Case::log_interval, f.frame_interval = Case::frame_interval;
-  f.sample_interval = Case::sample_interval, f.reference_speed = Case::reference_speed;
+  f.sample_interval = Case::sample_interval, f.checkpoint_interval = Case::checkpoint_interval;
+  f.reference_speed = Case::reference_speed;
   f.max_overlap = Case::max_overlap, f.overlap_warning = Case::overlap_warning;
   f.stability_limit = Case::stability_limit;
   f.dump = Case::dump, f.energy_ledger = Case::energy_ledger;
@@ -117,6 +124,7 @@ constexpr CaseFacts case_facts() {
   f.start_keeps_motion = Case::start_keeps_motion, f.start_from = Case::start_from, f.placed = Case::placed;
   f.instruction_set = compiled_instruction_set();
   f.compiler = compiler_name();
+  f.kernel = FIXDEM_KERNEL;
   return f;
 }
 

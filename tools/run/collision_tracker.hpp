@@ -23,6 +23,10 @@ namespace fixdem::program {
 struct Collision {
   double restitution, tangential_restitution, angular_velocity;  ///< not a number until it is over, or not defined
   double contact_time, max_overlap, max_normal_force;
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(restitution, tangential_restitution, angular_velocity, contact_time, max_overlap, max_normal_force);
+  }
 };
 
 /// Greatest value of a curve known at equal intervals.
@@ -30,6 +34,10 @@ class ParabolicMaximum {
  public:
   void add(double value);
   double value() const { return best_; }
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(before_, middle_, best_);
+  }
 
  private:
   double before_ = 0, middle_ = 0, best_ = 0;
@@ -42,6 +50,13 @@ class CollisionTracker {
   /// To be called after the start and after every step.
   void observe(const SimulationView&);
   std::optional<Collision> result() const { return result_; }
+  /// For checkpoints.
+  template <class Archive>
+  void transfer(Archive& archive) {
+    for (Candidate& c : candidates_) archive(c.overlap, c.last_overlap, c.normal);
+    archive(particles_, last_particles_, time_, touching_, started_, finished_, begin_time_);
+    archive(before_.normal, before_.velocity, before_.slip, overlap_, force_, result_);
+  }
 
  private:
   struct Candidate {

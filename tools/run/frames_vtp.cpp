@@ -4,8 +4,10 @@
 
 #include <bit>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 
-#include "output_file.hpp"
+#include "result_folder.hpp"
 
 namespace fixdem::program {
 namespace {
@@ -31,23 +33,33 @@ class AppendedData {
 
 using Triple = double[3];
 
-std::vector<double> flat(const Snapshot& snapshot, const Triple& (*of)(const Particle&)) {
+std::vector<double> flat(const Snapshot& snapshot, const std::vector<int>& chosen,
+                         const Triple& (*of)(const Particle&)) {
   std::vector<double> values;
-  values.reserve(snapshot.particles.size() * 3);
-  for (const Particle& p : snapshot.particles) values.insert(values.end(), of(p), of(p) + 3);
+  values.reserve(chosen.size() * 3);
+  for (const int id : chosen) {
+    const Particle& p = snapshot.particles[static_cast<std::size_t>(id)];
+    values.insert(values.end(), of(p), of(p) + 3);
+  }
   return values;
 }
 
 }  // namespace
 
 std::string encode_vtp(const Snapshot& snapshot, double radius) {
-  const std::size_t n = snapshot.particles.size();
+  std::vector<int> all(snapshot.particles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return encode_vtp(snapshot, radius, all);
+}
+
+std::string encode_vtp(const Snapshot& snapshot, double radius, const std::vector<int>& chosen) {
+  const std::size_t n = chosen.size();
   std::vector<std::int32_t> id(n), contacts(n);
   std::vector<std::int64_t> connectivity(n), offsets(n);
   const std::vector<int> contact_counts = contacts_per_particle(snapshot);
   for (std::size_t i = 0; i < n; ++i) {
-    id[i] = static_cast<std::int32_t>(i);
-    contacts[i] = contact_counts[i];
+    id[i] = chosen[i];
+    contacts[i] = contact_counts[static_cast<std::size_t>(chosen[i])];
     connectivity[i] = static_cast<std::int64_t>(i);
     offsets[i] = static_cast<std::int64_t>(i) + 1;
   }
@@ -63,12 +75,12 @@ std::string encode_vtp(const Snapshot& snapshot, double radius) {
       std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", snapshot.time, snapshot.step, n, n);
   xml += "      <Points>\n";
   xml += data.array("position", "Float64", 3,
-                    flat(snapshot, [](const Particle& p) -> const Triple& { return p.position; }));
+                    flat(snapshot, chosen, [](const Particle& p) -> const Triple& { return p.position; }));
   xml += "      </Points>\n      <PointData Vectors=\"velocity\">\n";
   xml += data.array("velocity", "Float64", 3,
-                    flat(snapshot, [](const Particle& p) -> const Triple& { return p.velocity; }));
+                    flat(snapshot, chosen, [](const Particle& p) -> const Triple& { return p.velocity; }));
   xml += data.array("angular_velocity", "Float64", 3,
-                    flat(snapshot, [](const Particle& p) -> const Triple& { return p.angular_velocity; }));
+                    flat(snapshot, chosen, [](const Particle& p) -> const Triple& { return p.angular_velocity; }));
   xml += data.array("radius", "Float64", 1, std::vector<double>(n, radius));
   xml += data.array("contacts", "Int32", 1, contacts);
   xml += data.array("id", "Int32", 1, id);
@@ -79,16 +91,35 @@ std::string encode_vtp(const Snapshot& snapshot, double radius) {
   return xml + data.bytes() + "\n  </AppendedData>\n</VTKFile>\n";
 }
 
+FrameWriter::FrameWriter(std::filesystem::path folder, double radius, std::vector<WrittenFrame> written)
+    : folder_(std::move(folder)), radius_(radius), written_(std::move(written)), flushed_(count()) {
+  if (count() > 0) list();  // later ones may be in the list that is there
+}
+
 void FrameWriter::write(const Snapshot& snapshot) {
-  if (times_.empty()) make_folder(folder_ / "frames");
-  write_file(folder_ / fmt::format("frames/frame_{:06}.vtp", count()), encode_vtp(snapshot, radius_), Durability::fast);
-  times_.push_back(snapshot.time);
+  if (written_.empty()) make_folder(folder_ / "frames");
+  const std::string frame = encode_vtp(snapshot, radius_);
+  write_file(frame_path(folder_, count()), frame, Durability::fast);
+  RunningHash hash;
+  hash.add(frame);
+  written_.push_back({snapshot.time, {frame.size(), hash.value()}});
+  list();
+}
+
+void FrameWriter::list() const {
   std::string pvd = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
   for (int k = 0; k < count(); ++k)
-    pvd += fmt::format("    <DataSet timestep=\"{:.12g}\" part=\"0\" file=\"frames/frame_{:06}.vtp\"/>\n",
-                       times_[static_cast<std::size_t>(k)], k);
+    pvd += fmt::format("    <DataSet timestep=\"{:.12g}\" part=\"0\" file=\"{}\"/>\n",
+                       written_[static_cast<std::size_t>(k)].time, frame_path("", k).string());
   pvd += "  </Collection>\n</VTKFile>\n";
   write_file(folder_ / "frames.pvd", pvd, Durability::fast);
+}
+
+void FrameWriter::flush() {
+  if (flushed_ == count()) return;
+  while (flushed_ < count()) flush_file(frame_path(folder_, flushed_++));
+  flush_file(folder_ / "frames.pvd");
+  flush_folder(folder_ / "frames");
 }
 
 }  // namespace fixdem::program

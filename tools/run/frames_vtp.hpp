@@ -12,23 +12,43 @@
 #include <string>
 #include <vector>
 
+#include "output_file.hpp"
 #include "snapshot.hpp"
 
 namespace fixdem::program {
 
 std::string encode_vtp(const Snapshot&, double radius);
+/// Of the chosen particles only, which are numbers in input order.
+std::string encode_vtp(const Snapshot&, double radius, const std::vector<int>& chosen);
+
+/// A frame that has been written.
+struct WrittenFrame {
+  double time = 0;
+  FilePosition file;
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(time, file);
+  }
+};
 
 /// Writes frames/frame_NNNNNN.vtp in a folder, and after each the list frames.pvd; both appear whole or not at all.
 class FrameWriter {
  public:
-  FrameWriter(std::filesystem::path folder, double radius) : folder_(std::move(folder)), radius_(radius) {}
+  /// Begins with those that are there already.
+  FrameWriter(std::filesystem::path folder, double radius, std::vector<WrittenFrame> written = {});
   void write(const Snapshot&);
-  int count() const { return static_cast<int>(times_.size()); }
+  int count() const { return static_cast<int>(written_.size()); }
+  const std::vector<WrittenFrame>& written() const { return written_; }
+  /// What has been written since the last call survives a power cut.
+  void flush();
 
  private:
+  void list() const;
+
   std::filesystem::path folder_;
   double radius_;
-  std::vector<double> times_;
+  std::vector<WrittenFrame> written_;
+  int flushed_;
 };
 
 }  // namespace fixdem::program

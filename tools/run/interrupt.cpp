@@ -13,8 +13,8 @@ void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = remember;
   sigemptyset(&action.sa_mask);
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  for (int signal : {SIGINT, SIGTERM}) {
+  for (int signal : {SIGINT, SIGTERM, SIGXCPU}) {
+    action.sa_flags = SA_RESTART | (signal == SIGXCPU ? 0 : static_cast<int>(SA_RESETHAND));
     struct sigaction inherited {};
     sigaction(signal, nullptr, &inherited);
     // A shell starts background jobs with SIGINT ignored; that is its decision to make.

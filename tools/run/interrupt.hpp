@@ -1,7 +1,8 @@
-// SIGINT and SIGTERM: remembered, so that the run can finish its block, write its state and end with 128 + signal.
+// SIGINT, SIGTERM and SIGXCPU: remembered, so that the run can finish its block, write its state and end with 128 +
+// signal.
 //
-// A second signal ends the program at once. SIGPIPE is ignored: a reader of the table that goes away (`| head`) must
-// not cost the run its results.
+// A second signal ends the program at once (SIGXCPU, which comes every second, does not). SIGPIPE is ignored: a reader
+// of the table that goes away (`| head`) must not cost the run its results.
 #pragma once
 
 namespace fixdem::program {

@@ -48,7 +48,9 @@ void for_each_column(const CaseFacts& facts, const LogRow& row, Visitor&& column
 
 }  // namespace
 
-LogFile::LogFile(const std::filesystem::path& path, const CaseFacts& facts) : facts_(facts), file_(path) {
+LogFile::LogFile(const std::filesystem::path& path, const CaseFacts& facts, const FilePosition& position)
+    : facts_(facts), file_(path, position) {
+  if (position.size > 0) return;
   std::string line;
   for_each_column(facts_, LogRow{},
                   [&](const char* name, double) { line += (line.empty() ? "" : ",") + std::string(name); });

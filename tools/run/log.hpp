@@ -26,8 +26,11 @@ struct LogRow {
 
 class LogFile {
  public:
-  LogFile(const std::filesystem::path&, const CaseFacts&);
+  /// Begins the file with its header, or continues it behind a position.
+  LogFile(const std::filesystem::path&, const CaseFacts&, const FilePosition& = {});
   void write(const LogRow&);
+  FilePosition position() const { return file_.position(); }
+  void flush() { file_.flush(); }
 
  private:
   CaseFacts facts_;

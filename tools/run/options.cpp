@@ -11,8 +11,6 @@
 namespace fixdem::program {
 namespace {
 
-constexpr const char* program_version = "0.1.0";
-
 std::string version_text(const CaseFacts& facts, const SimulationView& view) {
   std::string text = fmt::format("fixdem {}\ncase:            {} ({}, xxh64 {:016x})\n", program_version, facts.name,
                                  facts.source, facts.source_hash);
@@ -38,10 +36,11 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
   options.out = std::filesystem::path("out") / facts.name;
   options.seed = facts.seed;
   options.duration = facts.duration;
+  options.checkpoint_interval = facts.checkpoint_interval;
 
   CLI::App app(fmt::format("{}\nfixdem program of the case {} ({})", facts.title, facts.name, facts.source));
   bool no_frames = false;
-  std::string out, start_state;
+  std::string out, start_state, resume_from;
   app.add_option("--out", out, fmt::format("folder for all results (default {})", options.out.string()))
       ->type_name("DIR");
   auto* seed = app.add_option("--seed", options.seed, fmt::format("seed of the random start (default {})", facts.seed))
@@ -55,12 +54,19 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
                      ? fmt::format("final.fixdem to start from (default DIR/../{}/final.fixdem)", facts.start_from)
                      : std::string("final.fixdem to start from; only for cases with [start] from"))
       ->type_name("FILE");
+  app.add_flag("--resume", options.resume, "go on from the latest checkpoint in the folder");
+  app.add_option("--resume-from", resume_from, "go on from this checkpoint")->type_name("FILE");
+  auto* interval = app.add_option("--checkpoint-interval", options.checkpoint_interval,
+                                  "simulated time between checkpoints in seconds (default: [output] "
+                                  "checkpoint_interval, or once a minute by the clock)")
+                       ->type_name("S");
   app.add_flag("--quiet", options.quiet, "no table, no progress; errors only");
   app.add_flag("--no-frames", no_frames, "write no frames and no dump, only log, final state and summary");
   app.set_version_flag(
       "--version", [&] { return version_text(facts, view); }, "what is compiled into this program");
   app.footer(
-      "Results: log.csv, frames.pvd, frames/, final.fixdem, summary.json.\nExit codes: 0 done, 2 wrong usage, "
+      "Results: log.csv, frames.pvd, frames/, final.fixdem, summary.json; checkpoint-STEP.fixdem until it is "
+      "done.\nExit codes: 0 done, 2 wrong usage, "
       "3 bad case or input, 4 capacity exceeded,\n5 unstable or non-finite, 6 input/output, 128 + signal.");
 
   try {
@@ -81,6 +87,15 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
   }
   options.frames = !no_frames;
   if (!start_state.empty()) options.start_state = start_state;
+  if (!resume_from.empty()) options.resume_from = resume_from;
+  options.resume = options.resume || options.resume_from;
+  options.seed_is_given = seed->count() > 0;
+  options.duration_is_given = duration->count() > 0;
+  if (interval->count() > 0 && !(options.checkpoint_interval >= facts.time_step))
+    throw Failure(exit_wrong_usage,
+                  fmt::format("--checkpoint-interval {}: a time in seconds is needed, one step ({} s) "
+                              "or more; inf for none but on signals",
+                              options.checkpoint_interval, facts.time_step));
   if (seed->count() > 0 && facts.start != StartKind::random)
     throw Failure(
         exit_wrong_usage,

@@ -16,7 +16,13 @@ struct Options {
   double duration = 0;  ///< s
   bool quiet = false;
   bool frames = true;
+  bool resume = false;
+  std::optional<std::filesystem::path> resume_from;  ///< a certain checkpoint instead of the latest
+  double checkpoint_interval = 0;                    ///< s of simulated time; 0: by the clock (time_loop.hpp)
+  bool seed_is_given = false, duration_is_given = false;
 };
+
+inline constexpr const char* program_version = "0.1.0";
 
 /// Empty when --help or --version has been answered; throws Failure (exit 2) on wrong usage.
 std::optional<Options> read_options(const CaseFacts&, const SimulationView&, int argc, char** argv);

@@ -2,15 +2,17 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <string>
+#include <fstream>
 #include <system_error>
 #include <vector>
 
+#include "disk.hpp"
 #include "failure.hpp"
 
 namespace fixdem::program {
@@ -23,7 +25,7 @@ namespace {
 /// Writes all bytes; returns 0 or the error number.
 int write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    const ssize_t written = disk::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) return written < 0 ? errno : ENOSPC;
     bytes.remove_prefix(static_cast<std::size_t>(written));
@@ -31,19 +33,27 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-/// Makes a rename itself survive a power cut.
-void flush_folder(const std::filesystem::path& folder) {
-  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
+void flush(const std::filesystem::path& path, int flags) {
+  const int descriptor = ::open(path.empty() ? "." : path.c_str(), flags | O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0 && errno == EACCES && (flags & O_DIRECTORY) != 0) return;  // may be written to, not read
+  if (descriptor < 0) fail("flush", path, errno);
+  const int error = disk::fsync(descriptor) != 0 ? errno : 0;
   ::close(descriptor);
+  // Some file systems cannot flush a folder, and say so.
+  if (error != 0 && error != EINVAL) fail("flush", path, error);
 }
 
-/// frame_000123.vtp, as FrameWriter names them
-bool is_frame(const std::string& name) {
-  constexpr std::string_view begin = "frame_", end = ".vtp";
-  if (name.size() < begin.size() + 6 + end.size() || !name.starts_with(begin) || !name.ends_with(end)) return false;
-  return name.find_first_not_of("0123456789", begin.size()) == name.size() - end.size();
+/// Adds the first `size` bytes of a file to a hash; returns how many there are.
+std::uint64_t hash_front(const std::filesystem::path& path, std::uint64_t size, RunningHash& hash) {
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> block(1 << 16);
+  std::uint64_t done = 0;
+  while (done < size && file) {
+    file.read(block.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(block.size(), size - done)));
+    hash.add(block.data(), static_cast<std::size_t>(file.gcount()));
+    done += static_cast<std::uint64_t>(file.gcount());
+  }
+  return done;
 }
 
 }  // namespace
@@ -54,9 +64,9 @@ void write_file(const std::filesystem::path& path, std::string_view bytes, Durab
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) fail("write", temporary, errno);
   int error = write_all(descriptor, bytes);
-  if (error == 0 && durability == Durability::durable && ::fsync(descriptor) != 0) error = errno;
+  if (error == 0 && durability == Durability::durable && disk::fsync(descriptor) != 0) error = errno;
   if (::close(descriptor) != 0 && error == 0) error = errno;
-  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0 && disk::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
   if (error != 0) {
     ::unlink(temporary.c_str());
     fail("write", path, error);
@@ -64,45 +74,60 @@ void write_file(const std::filesystem::path& path, std::string_view bytes, Durab
   if (durability == Durability::durable) flush_folder(path.parent_path());
 }
 
-AppendedFile::AppendedFile(const std::filesystem::path& path)
-    : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+std::string difference(const std::filesystem::path& path, const FilePosition& position) {
+  RunningHash hash;
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return path.string() + " is missing";
+  const std::uint64_t found = hash_front(path, position.size, hash);
+  if (found < position.size)
+    return fmt::format("{} is cut short: it has {} bytes, and had {}", path.string(), found, position.size);
+  if (hash.value() != position.hash)
+    return fmt::format("{} has been changed in its first {} bytes", path.string(), position.size);
+  return "";
+}
+
+AppendedFile::AppendedFile(const std::filesystem::path& path, const FilePosition& position)
+    : path_(path),
+      descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (position.size == 0 ? O_TRUNC : 0), 0666)),
+      size_(position.size) {
   if (descriptor_ < 0) fail("write", path, errno);
+  if (size_ == 0) return;
+  const auto end = static_cast<off_t>(size_);
+  if (::ftruncate(descriptor_, end) != 0 || ::lseek(descriptor_, end, SEEK_SET) != end) {
+    const int error = errno;
+    ::close(descriptor_);
+    fail("continue", path, error);
+  }
+  hash_front(path, size_, hash_);
 }
 
 AppendedFile::~AppendedFile() { ::close(descriptor_); }
 
 void AppendedFile::append(std::string_view record) {
+  struct stat status {};
+  if (::fstat(descriptor_, &status) == 0 && status.st_nlink == 0) fail("write", path_, ENOENT);  // deleted meanwhile
   if (const int error = write_all(descriptor_, record); error != 0) {
     // Back to the last whole record; that this works too is not worth a second message.
-    if (::ftruncate(descriptor_, size_) != 0) ::lseek(descriptor_, 0, SEEK_END);
+    if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) ::lseek(descriptor_, 0, SEEK_END);
     fail("write", path_, error);
   }
-  size_ += static_cast<long long>(record.size());
+  size_ += record.size();
+  hash_.add(record);
 }
+
+FilePosition AppendedFile::position() const { return {size_, hash_.value()}; }
+
+void AppendedFile::flush() {
+  if (disk::fsync(descriptor_) != 0) fail("flush", path_, errno);
+}
+
+void flush_file(const std::filesystem::path& path) { flush(path, 0); }
+void flush_folder(const std::filesystem::path& path) { flush(path, O_DIRECTORY); }
 
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) fail("make the folder", folder, error.value());
-}
-
-void prepare_folder(const std::filesystem::path& out) {
-  make_folder(out);
-  std::error_code error;
-  std::vector<std::filesystem::path> stale;
-  for (const char* name : {"final.fixdem", "summary.json", "frames.pvd", "log.csv", "dump.lammpstrj"})
-    stale.push_back(out / name);
-  const std::filesystem::path frames = out / "frames";
-  if (std::filesystem::exists(frames, error)) {
-    for (const auto& entry : std::filesystem::directory_iterator(frames, error))
-      if (is_frame(entry.path().filename().string())) stale.push_back(entry.path());
-    if (error) fail("read the folder", frames, error.value());
-  }
-  for (const auto& path : stale) {
-    std::filesystem::remove(path, error);
-    if (error) fail("replace", path, error.value());
-  }
-  std::filesystem::remove(frames, error);  // if nothing else is in it; a run that writes frames makes it again
 }
 
 }  // namespace fixdem::program

@@ -38,6 +38,10 @@ struct PlugSample {
   double layer_area_ratio;   ///< -
   double pressure_gradient;  ///< mean inside the plug, ends left out, Pa/m
   double pressure_drop;      ///< over the whole pipe, Pa
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(found, time, front, rear, length, particle_velocity, layer_area_ratio, pressure_gradient, pressure_drop);
+  }
 };
 
 struct PlugResult {
@@ -55,6 +59,11 @@ class PlugRecord {
   explicit PlugRecord(double pipe_length) : pipe_length_(pipe_length) {}
   void add(const PlugSample& sample) { samples_.push_back(sample); }
   PlugResult result(double duration, double gravity, double pipe_diameter) const;
+  /// For checkpoints.
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(samples_);
+  }
 
  private:
   double pipe_length_;

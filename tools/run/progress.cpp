@@ -28,10 +28,11 @@ void say(fmt::format_string<Values...> format, Values&&... values) {
 
 }  // namespace
 
-Progress::Progress(const CaseFacts& facts, long long total_steps, bool quiet)
+Progress::Progress(const CaseFacts& facts, long long first_step, long long total_steps, bool quiet)
     : name_(facts.name),
       particles_(facts.particle_count),
       time_step_(facts.time_step),
+      first_(first_step),
       total_(total_steps),
       begin_(std::chrono::steady_clock::now()) {
   if (quiet || total_ <= 0) return;
@@ -50,7 +51,9 @@ void Progress::update(long long steps, double kernel_seconds) {
   last_tenth_ = tenth;
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   const double rate = kernel_seconds > 0 ? 1e-6 * particles_ * static_cast<double>(steps) / kernel_seconds : 0;
-  const std::string left = part > 0 ? time_left(elapsed * (1 - part) / part) : "?";
+  const long long done = steps - first_;
+  const std::string left =
+      done > 0 ? time_left(elapsed * static_cast<double>(total_ - steps) / static_cast<double>(done)) : "?";
   const double time = static_cast<double>(steps) * time_step_;
   if (style_ == Style::plain) {
     say("{}: {:3.0f} %, {:.4g} s simulated, {} left, {:.4g} million particle-steps/s\n", name_, 100 * part, time, left,

@@ -13,7 +13,8 @@ namespace fixdem::program {
 
 class Progress {
  public:
-  Progress(const CaseFacts&, long long total_steps, bool quiet);
+  /// Of steps from `first_step` on.
+  Progress(const CaseFacts&, long long first_step, long long total_steps, bool quiet);
 
   void update(long long steps, double kernel_seconds);
   /// Takes the line off the terminal, before something else is printed.
@@ -25,7 +26,7 @@ class Progress {
   std::string name_;
   int particles_;
   double time_step_;
-  long long total_;
+  long long first_, total_;
   Style style_ = Style::none;
   bool colour_ = false, on_screen_ = false;
   int last_tenth_ = 0;

@@ -1,7 +1,7 @@
 // When outputs are due, counted in whole steps: event k of an interval is at the step nearest to k * interval.
 //
-// An interval of 0 or less never comes due; one shorter than a step comes due every step. The first event is at the
-// start of the run; the program itself adds one at its end.
+// An interval of 0 or less, or without end, never comes due; one shorter than a step comes due every step. The first
+// event is at the start of the run; the program itself adds one at its end.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace fixdem::program {
 class Schedule {
  public:
   Schedule(double interval, double time_step) : steps_(interval / time_step) {
-    if (!(interval > 0)) next_ = never;
+    if (!(interval > 0) || std::isinf(interval)) next_ = never;
   }
 
   long long next() const { return next_; }
@@ -21,6 +21,11 @@ class Schedule {
   void advance(long long step) {
     if (next_ == never) return;
     while (next_ <= step) next_ = std::max(next_ + 1, std::llround(static_cast<double>(++event_) * steps_));
+  }
+  /// For checkpoints.
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(event_, next_);
   }
 
  private:

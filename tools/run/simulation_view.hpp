@@ -5,6 +5,7 @@
 // only, so they cost nothing. Particle numbers are those of the input order.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ class SimulationView {
   virtual double pressure_gradient(int slice) const = 0;  ///< Pa/m; 0 without gas
   virtual double pressure_drop() const = 0;               ///< Pa over the pipe; 0 without gas
   virtual std::vector<CapacityUse> capacities() const = 0;
+
+  /// The whole simulation as bytes, to copy and to put back; empty where nobody needs that.
+  virtual std::span<char> memory() { return {}; }
 };
 
 }  // namespace fixdem::program

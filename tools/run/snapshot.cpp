@@ -1,12 +1,13 @@
 #include "snapshot.hpp"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <tuple>
 #include <utility>
+
+#include "running_hash.hpp"
 
 namespace fixdem::program {
 namespace {
@@ -52,19 +53,16 @@ std::vector<int> contacts_per_particle(const Snapshot& snapshot) {
 }
 
 std::string state_hash(const Snapshot& snapshot) {
-  XXH64_state_t* state = XXH64_createState();
-  XXH64_reset(state, 0);
-  for (const Particle& p : snapshot.particles) XXH64_update(state, p.position, sizeof p.position);
-  for (const Particle& p : snapshot.particles) XXH64_update(state, p.velocity, sizeof p.velocity);
-  for (const Particle& p : snapshot.particles) XXH64_update(state, p.angular_velocity, sizeof p.angular_velocity);
+  RunningHash hash;
+  for (const Particle& p : snapshot.particles) hash.add(p.position, sizeof p.position);
+  for (const Particle& p : snapshot.particles) hash.add(p.velocity, sizeof p.velocity);
+  for (const Particle& p : snapshot.particles) hash.add(p.angular_velocity, sizeof p.angular_velocity);
   for (const Contact& contact : snapshot.contacts) {
     const std::int32_t ids[2] = {contact.owner, contact.partner};
-    XXH64_update(state, ids, sizeof ids);
-    XXH64_update(state, contact.history, sizeof contact.history);
+    hash.add(ids, sizeof ids);
+    hash.add(contact.history, sizeof contact.history);
   }
-  const std::uint64_t hash = XXH64_digest(state);
-  XXH64_freeState(state);
-  return fmt::format("{:016x}", hash);
+  return fmt::format("{:016x}", hash.value());
 }
 
 }  // namespace fixdem::program

@@ -50,6 +50,11 @@ class StabilityWatch {
   /// What is wrong and what to change, after look() has returned true.
   std::string stop_message() const;
   int particle() const { return particle_; }
+  /// For checkpoints.
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(ratio_, greatest_ratio_, stable_, time_, particle_, has_warned_of_step_, has_warned_of_overlap_);
+  }
 
  private:
   std::string excess(double time) const;

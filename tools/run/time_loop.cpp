@@ -5,71 +5,92 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
-#include "dump.hpp"
+#include "binary_file.hpp"
 #include "energy_balance.hpp"
 #include "failure.hpp"
-#include "fault_report.hpp"
 #include "interrupt.hpp"
-#include "state_file.hpp"
-#include "summary.hpp"
 
 namespace fixdem::program {
 namespace {
 
-constexpr double block_time = 0.1;  // s of wall time: how long a signal may wait
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-/// 41213 -> "41 213"
-std::string grouped(long long number) {
-  std::string digits = std::to_string(number);
-  for (int place = static_cast<int>(digits.size()) - 3; place > 0; place -= 3)
-    digits.insert(static_cast<std::size_t>(place), " ");
-  return digits;
-}
+constexpr double block_time = 0.1;         // s of wall time: how long a signal may wait
+constexpr double checkpoint_seconds = 60;  // between checkpoints by the clock
 
 }  // namespace
 
-TimeLoop::TimeLoop(SimulationView& view, const CaseFacts& facts, const Options& options)
+TimeLoop::TimeLoop(SimulationView& view, const CaseFacts& facts, const Options& options, const Resumable* resumed)
     : view_(view),
       facts_(facts),
       options_(options),
       total_steps_(std::llround(options.duration / facts.time_step)),
       start_energy_(view.energy()),
-      log_file_(options.out / "log.csv", facts),
+      outputs_(facts, options, resumed != nullptr ? &resumed->checkpoint.outputs : nullptr),
       watch_(facts),
       plugs_(facts.pipe_length),
-      progress_(facts, total_steps_, options.quiet),
+      progress_(facts, view.step(), total_steps_, options.quiet),
       log_schedule_(facts.log_interval, facts.time_step),
       frame_schedule_(options.frames ? facts.frame_interval : 0, facts.time_step),
-      sample_schedule_(facts.has_gas ? facts.sample_interval : 0, facts.time_step) {
-  if (options.frames) frames_.emplace(options.out, facts.radius());
-  if (options.frames && facts.dump) dump_.emplace(options.out / "dump.lammpstrj");
+      sample_schedule_(facts.has_gas ? facts.sample_interval : 0, facts.time_step),
+      checkpoint_schedule_(options.checkpoint_interval, facts.time_step),
+      checkpoints_(options.out, resumed != nullptr ? resumed->path : ""),
+      rewind_(view) {
   if (facts.particle_count <= 2) collision_.emplace(facts);
+  checkpoint_schedule_.advance(view.step());
+  if (resumed == nullptr) return;
+  const std::string name = resumed->path.string(), advice = "run without --resume to begin anew";
+  BinaryReader reader(resumed->checkpoint.program, name, advice);
+  transfer(reader);
+  if (!reader.empty()) reader.refuse("is damaged: it is longer than its contents");
 }
 
 int TimeLoop::run() {
+  try {
+    return go_on();
+  } catch (const Failure& failure) {
+    if (failure.code() != exit_input_output || !std::filesystem::exists(checkpoints_.last())) throw;
+    throw Failure(exit_input_output, failure.what() + ("\n  " + how_to_go_on()));
+  }
+}
+
+int TimeLoop::go_on() {
   if (!options_.quiet) std::fputs(table_header(facts_).c_str(), stdout);
-  if (collision_) collision_->observe(view_);
   Status status{};
   int signal = 0;
-  long long step = 0;
-  output(step, total_steps_ == 0);
-  while (step < total_steps_ && !step_is_too_large_) {
-    const long long due =
-        std::min({log_schedule_.next(), frame_schedule_.next(), sample_schedule_.next(), total_steps_});
-    status = advance(std::min(due - step, static_cast<long long>(block_steps_)));
-    step = view_.step();
-    signal = interrupt_signal();
-    progress_.update(step, kernel_time_);
-    const bool is_last = !status.ok() || signal != 0 || step >= total_steps_;
-    output(step, is_last);
-    if (!status.ok() || signal != 0) break;
+  long long step = view_.step();
+  if (logged_step_ < 0) {  // at its beginning
+    if (collision_) collision_->observe(view_);
+    output(step, total_steps_ == 0);
   }
-  return finish(status, signal);
+  while (step < total_steps_ && status.ok() && signal == 0 && !step_is_too_large_) {
+    const long long due = std::min({log_schedule_.next(), frame_schedule_.next(), sample_schedule_.next(),
+                                    checkpoint_schedule_.next(), total_steps_});
+    rewind_.keep(kernel_time_);
+    status = advance(std::min(due - step, static_cast<long long>(block_steps_)));
+    if (!status.ok()) state_is_good_ = rewind_.go_back(status);
+    step = view_.step();
+    progress_.update(step, kernel_time_);
+    output(step, step >= total_steps_);
+    if (step < total_steps_) signal = interrupt_signal();
+    if (status.ok() && checkpoint_is_due(step)) write_checkpoint();
+  }
+
+  const bool is_sound = status.ok() && !step_is_too_large_;
+  std::string trouble;
+  try {
+    write_end(status, signal);
+  } catch (const Failure& failure) {
+    if (is_sound) throw;
+    trouble = failure.what();  // the fault itself matters more
+  }
+  if (!is_sound) report_stop(status, trouble);
+  if (signal == 0) return exit_done;
+  std::fputs(fmt::format("fixdem: interrupted by signal {} at {:.6g} s; final.fixdem holds that moment\n  {}\n", signal,
+                         view_.time(), how_to_go_on())
+                 .c_str(),
+             stderr);
+  return exit_signal_base + signal;
 }
 
 Status TimeLoop::advance(long long steps) {
@@ -91,19 +112,18 @@ Status TimeLoop::advance(long long steps) {
 }
 
 void TimeLoop::output(long long step, bool is_last) {
-  const bool log_due = is_last || log_schedule_.is_due(step);
+  // A run that stops early comes here a second time with the same step.
+  const bool log_due = log_schedule_.is_due(step) || (is_last && step != logged_step_);
+  const bool frame_wanted = facts_.frame_interval > 0 || step < total_steps_;
   const bool frame_due =
-      frames_ && (frame_schedule_.is_due(step) || (is_last && (facts_.frame_interval > 0 || step < total_steps_)));
-  const bool sample_due = facts_.has_gas && (is_last || sample_schedule_.is_due(step));
+      outputs_.writes_frames() && (frame_schedule_.is_due(step) || (is_last && frame_wanted && step != framed_step_));
+  const bool sample_due = facts_.has_gas && (sample_schedule_.is_due(step) || (is_last && step != sampled_step_));
   if (!log_due && !frame_due && !sample_due) return;
 
   const Snapshot snapshot = take_snapshot(view_, facts_.particle_count);
-  if (sample_due) plugs_.add(plug_sample(snapshot));
-  if (log_due) log(snapshot);
-  if (frame_due || (frames_ && step_is_too_large_)) {
-    frames_->write(snapshot);
-    if (dump_) dump_->append(encode_dump(snapshot, facts_));
-  }
+  if (sample_due) plugs_.add(plug_sample(snapshot)), sampled_step_ = step;
+  if (log_due) log(snapshot), logged_step_ = step;
+  if (frame_due) outputs_.frame(snapshot), framed_step_ = step;
   log_schedule_.advance(step);
   frame_schedule_.advance(step);
   sample_schedule_.advance(step);
@@ -120,7 +140,7 @@ void TimeLoop::log(const Snapshot& snapshot) {
   if (std::isfinite(row.observation.max_speed)) greatest_speed_ = std::max(greatest_speed_, row.observation.max_speed);
   step_is_too_large_ = watch_.look(row.time, snapshot.contacts, row.observation.max_overlap);
   row.step_ratio = watch_.ratio();
-  log_file_.write(row);
+  outputs_.log(row);
   if (const std::string warning = watch_.take_warning(); !warning.empty()) {
     progress_.clear();
     std::fputs(warning.c_str(), stderr);
@@ -140,58 +160,39 @@ PlugSample TimeLoop::plug_sample(const Snapshot& snapshot) const {
   return sample;
 }
 
-int TimeLoop::finish(const Status& status, int signal) {
-  progress_.clear();
-  Outcome outcome;
-  const bool is_sound = status.ok() && !step_is_too_large_;
-  outcome.status = !status.ok()         ? fault_name(status.fault)
-                   : step_is_too_large_ ? "time_step_too_large"
-                   : signal != 0        ? "interrupted"
-                                        : "done";
-  outcome.snapshot = take_snapshot(view_, facts_.particle_count);
-  outcome.observation = view_.observe();
-  outcome.start_energy = start_energy_;
-  outcome.energy = view_.energy();
-  outcome.greatest_step_ratio = watch_.greatest_ratio();
-  outcome.capacities = view_.capacities();
-  outcome.wall_time = seconds_since(begin_);
-  outcome.kernel_time = kernel_time_;
-  if (facts_.has_gas) {
-    const double g = std::hypot(facts_.gravity[0], facts_.gravity[1], facts_.gravity[2]);
-    outcome.plug = plugs_.result(options_.duration, g, facts_.pipe_diameter);
-  }
-  if (collision_) outcome.collision = collision_->result();
+bool TimeLoop::checkpoint_is_due(long long step) const {
+  if (step >= total_steps_) return false;  // it is done
+  if (options_.checkpoint_interval > 0) return checkpoint_schedule_.is_due(step);
+  return seconds_since(checkpoint_time_) >= checkpoint_seconds;
+}
 
-  if (is_sound)
-    write_state(options_.out / "final.fixdem", stored_state(facts_, outcome.snapshot, signal == 0, options_.duration));
-  write_file(options_.out / "summary.json", encode_summary(facts_, options_, outcome), Durability::durable);
-  if (!options_.quiet) {
-    std::string text = describe_outcome(facts_, outcome);
-    text += fmt::format("results in {}: summary.json, log.csv", options_.out.string());
-    if (is_sound) text += ", final.fixdem";
-    if (frames_ && frames_->count() > 0) text += fmt::format(", frames.pvd ({} frames)", frames_->count());
-    std::fputs((text + "\n").c_str(), stdout);
-  }
+void TimeLoop::write_checkpoint() {
+  const std::span<char> memory = view_.memory();
+  if (memory.empty()) return;
+  outputs_.flush();
+  Checkpoint checkpoint;
+  checkpoint.identity = identity(facts_, view_);
+  checkpoint.duration = options_.duration, checkpoint.seed = options_.seed, checkpoint.frames = options_.frames;
+  checkpoint.step = view_.step(), checkpoint.time = view_.time();
+  checkpoint.outputs = outputs_.position();
+  checkpoint.simulation.assign(memory.begin(), memory.end());
+  BinaryWriter writer;
+  const double before = wall_time_before_;
+  wall_time_before_ += seconds_since(begin_);
+  transfer(writer);
+  wall_time_before_ = before;
+  checkpoint.program = writer.text();
+  checkpoints_.write(checkpoint);
+  checkpoint_schedule_.advance(view_.step());
+  checkpoint_time_ = std::chrono::steady_clock::now();
+}
 
-  if (!status.ok())
-    throw Failure(
-        fault_exit_code(status.fault),
-        fmt::format("stopped at step {} ({:.6g} s): {}\n  {}\n  log, summary and the frame of that moment are in {}",
-                    grouped(status.step), static_cast<double>(status.step) * facts_.time_step,
-                    fault_sentence(facts_, status), fault_advice(facts_, status, greatest_speed_),
-                    options_.out.string()));
-  if (step_is_too_large_)
-    throw Failure(exit_unstable,
-                  fmt::format("stopped at step {}: {}\n  log, summary and the frame of that moment are in {}",
-                              grouped(view_.step()), watch_.stop_message(), options_.out.string()));
-  if (signal != 0) {
-    std::fputs(fmt::format("fixdem: interrupted by signal {} at {:.6g} s; final.fixdem holds that moment\n", signal,
-                           outcome.snapshot.time)
-                   .c_str(),
-               stderr);
-    return exit_signal_base + signal;
-  }
-  return exit_done;
+template <class Archive>
+void TimeLoop::transfer(Archive& archive) {
+  archive(start_energy_, greatest_speed_, watch_, step_is_too_large_, plugs_);
+  if (collision_) archive(*collision_);
+  archive(log_schedule_, frame_schedule_, sample_schedule_, logged_step_, framed_step_, sampled_step_);
+  archive(wall_time_before_, kernel_time_);
 }
 
 }  // namespace fixdem::program

@@ -1,22 +1,27 @@
-// The time loop: blocks of steps between outputs, and the outputs themselves.
+// The time loop: blocks of steps between outputs, the outputs themselves, and checkpoints.
 //
 // A block ends at the next due output, and after about a tenth of a second of wall time, so that signals are answered
 // and progress is shown; results do not depend on where blocks end. Scenes of one or two particles are followed step
 // by step for their collision. At every row of the log the time step is compared with what the contacts of that moment
-// allow (stability_watch.hpp). After a fault, or where the step is far too large, the log, a last frame and the summary
-// are still written, the final state is not; after a signal everything is.
+// allow (stability_watch.hpp).
+//
+// A checkpoint is written every checkpoint_interval of simulated time or, when that is 0, every minute by the clock:
+// what a crash may cost is a person's time, and so is what a checkpoint costs. When it is written has no influence on
+// results. A run that stops early stops at a good step: after a fault at the last one before it (rewind.hpp). There it
+// writes a checkpoint and only then the outputs of that moment, which a resumed run takes away again; after a fault,
+// also the neighbourhood of the particle it names and the whole state for use as a start, but no final state.
 #pragma once
 
 #include <chrono>
 #include <optional>
 
+#include "checkpoint_keeper.hpp"
 #include "collision_tracker.hpp"
-#include "frames_vtp.hpp"
-#include "log.hpp"
 #include "options.hpp"
-#include "output_file.hpp"
+#include "outputs.hpp"
 #include "plug_analysis.hpp"
 #include "progress.hpp"
+#include "rewind.hpp"
 #include "schedule.hpp"
 #include "stability_watch.hpp"
 
@@ -24,18 +29,30 @@ namespace fixdem::program {
 
 class TimeLoop {
  public:
-  /// The simulation has been started; the folder exists.
-  TimeLoop(SimulationView&, const CaseFacts&, const Options&);
+  /// The simulation has been started, or is that of the checkpoint that is resumed; the folder exists.
+  TimeLoop(SimulationView&, const CaseFacts&, const Options&, const Resumable* resumed = nullptr);
 
   /// Runs to the end and returns the exit code; throws Failure if a file cannot be written.
   int run();
 
  private:
+  int go_on();
   Status advance(long long steps);
   void output(long long step, bool is_last);
   void log(const Snapshot&);
   PlugSample plug_sample(const Snapshot&) const;
-  int finish(const Status&, int signal);
+  bool checkpoint_is_due(long long step) const;
+  void write_checkpoint();
+  template <class Archive>
+  void transfer(Archive&);
+  /// What is written when the run stops early, at the present step: see above.
+  void write_stopped_state(const Status&);
+  void write_end(const Status&, int signal);
+  [[noreturn]] void report_stop(const Status&, const std::string& trouble) const;
+  std::string how_to_go_on() const;
+  static double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
 
   SimulationView& view_;
   const CaseFacts& facts_;
@@ -44,19 +61,21 @@ class TimeLoop {
   Energy start_energy_;
   double greatest_speed_ = 0;  ///< at outputs, m/s
 
-  LogFile log_file_;
-  std::optional<FrameWriter> frames_;
-  std::optional<AppendedFile> dump_;
+  Outputs outputs_;
   std::optional<CollisionTracker> collision_;
   StabilityWatch watch_;
   bool step_is_too_large_ = false;
+  bool state_is_good_ = true;  ///< after a fault: it could be gone back to the last good step
   PlugRecord plugs_;
   Progress progress_;
-  Schedule log_schedule_, frame_schedule_, sample_schedule_;
+  Schedule log_schedule_, frame_schedule_, sample_schedule_, checkpoint_schedule_;
+  long long logged_step_ = -1, framed_step_ = -1, sampled_step_ = -1;  ///< of the last one written
+  CheckpointKeeper checkpoints_;
+  Rewind rewind_;
 
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  double kernel_time_ = 0;   ///< s
-  double block_steps_ = 16;  ///< of the next block
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), checkpoint_time_ = begin_;
+  double wall_time_before_ = 0, kernel_time_ = 0;  ///< s; of the runs before this one, and of all
+  double block_steps_ = 16;                        ///< of the next block
 };
 
 }  // namespace fixdem::program

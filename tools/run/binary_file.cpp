@@ -1,0 +1,52 @@
+#include "binary_file.hpp"
+
+#include <xxhash.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+
+namespace fixdem::program {
+namespace {
+constexpr std::uint32_t byte_order_mark = 0x01020304, swapped_mark = 0x04030201;
+}  // namespace
+
+void BinaryWriter::begin(std::string_view magic, std::uint32_t version) {
+  bytes(magic.data(), magic.size());
+  put(byte_order_mark);
+  put(version);
+}
+
+void BinaryWriter::seal() { put(std::uint64_t{XXH64(text_.data(), text_.size(), 0)}); }
+
+void BinaryReader::begin(std::string_view magic, const char* what, std::uint32_t version) {
+  if (rest_.substr(0, magic.size()) != magic) refuse("is no {} of fixdem (wrong first bytes)", what);
+  take(magic.size());
+  const auto mark = get<std::uint32_t>();
+  if (mark == swapped_mark) refuse("was written on a machine of the other byte order");
+  if (mark != byte_order_mark) refuse("is damaged: byte order mark {:08x} instead of {:08x}", mark, byte_order_mark);
+  const auto found = get<std::uint32_t>();
+  if (found != version) refuse("has version {}, this program reads version {}", found, version);
+}
+
+void BinaryReader::check_seal(std::string_view file) {
+  constexpr std::size_t size = sizeof(std::uint64_t);
+  if (rest_.size() < size) refuse("is cut short: {} bytes in all", file.size());
+  std::uint64_t stored;
+  std::memcpy(&stored, file.data() + file.size() - size, size);
+  const std::uint64_t sum = XXH64(file.data(), file.size() - size, 0);
+  if (sum != stored) refuse("is damaged or cut short: checksum {:016x}, the file says {:016x}", sum, stored);
+  rest_.remove_suffix(size);
+}
+
+std::string read_file(const std::filesystem::path& path, const char* what) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file.is_open() || file.bad() || std::filesystem::is_directory(path))
+    throw Failure(exit_input_output, fmt::format("cannot read the {} {}: {}", what, path.string(),
+                                                 errno != 0 ? std::strerror(errno) : "not a readable file"));
+  return bytes;
+}
+
+}  // namespace fixdem::program

@@ -1,0 +1,98 @@
+#include "result_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "failure.hpp"
+#include "output_file.hpp"
+
+namespace fixdem::program {
+namespace {
+
+namespace files = std::filesystem;
+
+[[noreturn]] void fail(const char* what, const files::path& path, const std::error_code& error) {
+  throw Failure(exit_input_output, fmt::format("cannot {} {}: {}", what, path.string(), error.message()));
+}
+
+/// The number in a name like frame_000123.vtp.
+std::optional<long long> number_in(std::string_view name, std::string_view begin, std::string_view end) {
+  if (name.size() <= begin.size() + end.size() || !name.starts_with(begin) || !name.ends_with(end)) return std::nullopt;
+  const char *first = name.data() + begin.size(), *last = name.data() + name.size() - end.size();
+  long long number = 0;
+  const auto [stop, error] = std::from_chars(first, last, number);
+  if (error != std::errc{} || stop != last || number < 0) return std::nullopt;
+  return number;
+}
+
+/// Every file of a folder whose name has such a number, with it; nothing when there is no folder.
+using Numbered = std::vector<std::pair<long long, files::path>>;
+Numbered numbered(const files::path& folder, std::string_view begin, std::string_view end) {
+  Numbered found;
+  std::error_code error;
+  if (!files::exists(folder, error)) return found;
+  for (const auto& entry : files::directory_iterator(folder, error))
+    if (const auto number = number_in(entry.path().filename().string(), begin, end))
+      found.emplace_back(*number, entry.path());
+  if (error) fail("read the folder", folder, error);
+  return found;
+}
+
+/// Removes a folder of frames in which nothing else lies.
+void remove_if_empty(const files::path& folder) {
+  std::error_code error;
+  files::remove(folder, error);
+}
+
+}  // namespace
+
+files::path frame_path(const files::path& out, int number) {
+  return out / "frames" / fmt::format("frame_{:06}.vtp", number);
+}
+
+files::path checkpoint_path(const files::path& out, long long step) {
+  return out / fmt::format("checkpoint-{}.fixdem", step);
+}
+
+void remove_file(const files::path& path) {
+  std::error_code error;
+  files::remove(path, error);
+  if (error) fail("replace", path, error);
+}
+
+void tidy_folder(const files::path& out, int frames) {
+  for (const char* name : {"final.fixdem", "summary.json", "fault.vtp", "stopped.fixdem"}) remove_file(out / name);
+  for (const char* name : {"final.fixdem", "summary.json", "fault.vtp", "stopped.fixdem", "frames.pvd"})
+    remove_file(out / (std::string(name) + ".part"));
+  for (const auto& [step, path] : numbered(out, "checkpoint-", ".fixdem.part")) remove_file(path);
+  for (const auto& [number, path] : numbered(out / "frames", "frame_", ".vtp.part")) remove_file(path);
+  for (const auto& [number, path] : numbered(out / "frames", "frame_", ".vtp"))
+    if (number >= frames) remove_file(path);
+  if (frames > 0) return;
+  remove_file(out / "frames.pvd");
+  remove_if_empty(out / "frames");  // a run that writes frames makes it again
+}
+
+void prepare_folder(const files::path& out) {
+  make_folder(out);
+  tidy_folder(out, 0);
+  for (const char* name : {"log.csv", "dump.lammpstrj"}) remove_file(out / name);
+  for (const files::path& path : checkpoints_in(out)) remove_file(path);
+}
+
+std::vector<files::path> checkpoints_in(const files::path& out) {
+  Numbered found = numbered(out, "checkpoint-", ".fixdem");
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<files::path> paths;
+  for (auto& [step, path] : found) paths.push_back(std::move(path));
+  return paths;
+}
+
+}  // namespace fixdem::program
