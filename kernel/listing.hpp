@@ -203,7 +203,7 @@ Status list_again(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   contacts.slots_are_stale[range == Cap::chunks ? 0 : range] = true;
   if (range == Cap::chunks) {
     contacts.slots_are_stale[Cap::chunks - 1] = true;
-    if (Cap::chunks > 1) contacts.slots_are_stale[Cap::chunks - 2] = true;
+    if constexpr (Cap::chunks > 1) contacts.slots_are_stale[Cap::chunks - 2] = true;
   } else if (range + 1 < Cap::chunks) {
     contacts.slots_are_stale[range + 1] = true;
   }

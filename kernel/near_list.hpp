@@ -62,7 +62,7 @@ struct NearList {
     if (D::is_periodic && range == chunks) {
       const double owners = way[0] - p.own_way;
       double partners = way[chunks - 1] - p.other_way;
-      if (chunks > 1) partners = max(partners, way[chunks - 2] - p.third_way);
+      if constexpr (Cap::chunks > 1) partners = max(partners, way[chunks - 2] - p.third_way);
       return !(owners + partners <= p.margin);
     }
     const double own = way[range] - p.own_way;

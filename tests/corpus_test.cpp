@@ -23,4 +23,5 @@ void replay(const char* folder, std::string (*target)(std::string_view)) {
 
 TEST_CASE("corpus: case files") { replay("case", fixdem::tests::fuzz_case); }
 TEST_CASE("corpus: state files") { replay("state", fixdem::tests::fuzz_state); }
+TEST_CASE("corpus: checkpoints") { replay("checkpoint", fixdem::tests::fuzz_checkpoint); }
 TEST_CASE("corpus: states of particles") { replay("particles", fixdem::tests::fuzz_particles); }

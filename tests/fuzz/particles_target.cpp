@@ -140,7 +140,9 @@ std::string fuzz_particles(std::string_view input) {
     for (double& v : p.angular_velocity) v = 100 * any_speed(bytes);
     wide->place(id, p);
     narrow->place(id, p);
-    reference.place(id, p);
+    reference.place(id, {{p.position[0], p.position[1], p.position[2]},
+                         {p.velocity[0], p.velocity[1], p.velocity[2]},
+                         {p.angular_velocity[0], p.angular_velocity[1], p.angular_velocity[2]}});
   }
   Status a = wide->start(), b = narrow->start();
   bool compared = a.ok();

@@ -1,33 +1,55 @@
-// Any bytes as a state file.
+// Any bytes as a state file or a checkpoint.
 #include <xxhash.h>
 
 #include <cstring>
 
 #include "targets.hpp"
+#include "tools/run/checkpoint.hpp"
 #include "tools/run/failure.hpp"
 #include "tools/run/state_file.hpp"
 
 namespace fixdem::tests {
+namespace {
 
-std::string fuzz_state(std::string_view bytes) {
-  if (bytes.empty()) return "";
-  const bool put_right = bytes[0] % 2 != 0;
+/// Without its first byte, which says whether the checksum is to be put right.
+std::string file_of(std::string_view bytes) {
   std::string file(bytes.substr(1));
   constexpr std::size_t sum_size = sizeof(XXH64_hash_t);
-  if (put_right && file.size() >= sum_size) {
+  if (bytes[0] % 2 != 0 && file.size() >= sum_size) {
     const XXH64_hash_t sum = XXH64(file.data(), file.size() - sum_size, 0);
     std::memcpy(file.data() + file.size() - sum_size, &sum, sum_size);
   }
+  return file;
+}
+
+/// `read_again` reads what it is given and returns it as it would be written.
+template <class ReadAgain>
+std::string check(std::string_view bytes, ReadAgain read_again) {
+  if (bytes.empty()) return "";
+  const std::string file = file_of(bytes);
   try {
-    const std::string again = program::encode_state(program::decode_state(file, "fuzz.fixdem"));
-    if (program::encode_state(program::decode_state(again, "written.fixdem")) != again)
-      return "it does not read as it was written";
-    if (again.size() != file.size()) return "it is written in another size than it was read";
+    const std::string written = read_again(file);
+    if (read_again(written) != written) return "it does not read as it was written";
+    if (written.size() != file.size()) return "it is written in another size than it was read";
     return "";
   } catch (const program::Failure& failure) {
     return failure.code() == program::exit_bad_input ? ""
                                                      : std::string("refused with another exit code: ") + failure.what();
   }
+}
+
+}  // namespace
+
+std::string fuzz_state(std::string_view bytes) {
+  return check(bytes,
+               [](std::string_view file) { return program::encode_state(program::decode_state(file, "fuzz.fixdem")); });
+}
+
+std::string fuzz_checkpoint(std::string_view bytes) {
+  return check(bytes, [](std::string_view file) {
+    program::Checkpoint checkpoint = program::decode_checkpoint(file, "fuzz.fixdem");
+    return program::encode_checkpoint(checkpoint);
+  });
 }
 
 }  // namespace fixdem::tests

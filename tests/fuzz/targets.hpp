@@ -1,4 +1,4 @@
-// What hostile bytes are thrown at: the case reader, the state file reader, and the kernel itself.
+// What hostile bytes are thrown at: the readers of cases, state files and checkpoints, and the kernel itself.
 //
 // Each target takes any bytes and returns what is wrong, or nothing. Memory errors and undefined behaviour are for the
 // sanitizers that `make fuzz` compiles it with. The same functions replay tests/corpus/ in `make test`
@@ -17,6 +17,9 @@ std::string fuzz_case(std::string_view bytes);
 /// same. The checksum is put right first when the first byte of the input is odd, so that what lies behind it is
 /// reached.
 std::string fuzz_state(std::string_view bytes);
+
+/// The same for a checkpoint.
+std::string fuzz_checkpoint(std::string_view bytes);
 
 /// Particles in any state, degenerate ones included: all lanes, one lane and the reference program step by step.
 std::string fuzz_particles(std::string_view bytes);

@@ -4,13 +4,15 @@
 
 TIME ?= 60
 fuzz := $(BUILD)/fuzz
-fuzz_targets := case state particles
+fuzz_targets := case state checkpoint particles
 fuzz_compiler := clang++
 fuzz_sanitizers := -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all
-fuzz_flags := $(filter-out $(collect_later),$(common)) -O1 -g1 $(kernel_math) -Wno-sign-conversion $(fuzz_sanitizers)
+fuzz_flags := $(filter-out $(collect_later),$(common)) -O1 -g1 $(kernel_math) -Wno-sign-conversion -Wno-bitwise-instead-of-logical $(fuzz_sanitizers)
 fuzz_sources_case := $(filter-out tools/casegen/main.cpp,$(wildcard tools/casegen/*.cpp))
 fuzz_sources_state := $(filter-out tools/run/main.cpp,$(wildcard tools/run/*.cpp))
+fuzz_sources_checkpoint := $(fuzz_sources_state)
 fuzz_sources_particles :=
+fuzz_object = $(fuzz)/objects/tests/fuzz/$(patsubst checkpoint,state,$(1))_target.o
 
 .PHONY: build-fuzz
 build-fuzz: $(fuzz_targets:%=$(fuzz)/bin/%)
@@ -21,7 +23,7 @@ $(fuzz)/objects/%.o: %.cpp tools/make/variant.mk tools/make/fuzz.mk | $(build)/c
 	$(quiet)$(fuzz_compiler) -MMD -MP -MF $(@:.o=.d) -MT $@ $(fuzz_flags) -c $< -o $@
 
 define fuzz_rule
-$(fuzz)/bin/$(1): tests/fuzz/entry.cpp $(fuzz)/objects/tests/fuzz/$(1)_target.o $(fuzz_sources_$(1):%.cpp=$(fuzz)/objects/%.o)
+$(fuzz)/bin/$(1): tests/fuzz/entry.cpp $(call fuzz_object,$(1)) $(fuzz_sources_$(1):%.cpp=$(fuzz)/objects/%.o)
 	@mkdir -p $$(@D)
 	$$(call say,link the fuzzer of $(1))
 	$$(quiet)$(fuzz_compiler) $(fuzz_flags) -DFIXDEM_FUZZ_TARGET=fuzz_$(1) $$^ $(libraries) -o $$@
