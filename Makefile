@@ -37,6 +37,7 @@ include tools/make/embedded.mk
 include tools/make/footprint.mk
 include tools/make/frontier.mk
 include tools/make/fuzz.mk
+include tools/make/run_report.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
@@ -207,6 +208,21 @@ plug-table:  ## run the five plugs from three seeds of each fill and rewrite the
 	$(needs) run table
 	$(files) $(addprefix $(build)/bin/,$(plug_cases))
 	tools/plug_table/plug_table.py --programs $(build)/bin --out out/plug_table cases/README.md
+
+.PHONY: report
+report:  ## a page about the last run of CASE, or about a run made now: OUT/report.html, opens in any browser
+	$(needs) run page
+	$(files) build-program build-page
+	+@[ -e $(OUT)/summary.json ] || $(MAKE) run
+	@$(numpy_python) tools/run_report/run_report.py $(OUT) $(OUT)/report.html --case $(case_file) --program $(case_program) --bundle $(page_bundle)
+
+.PHONY: test-report
+test-report:  ## the page of settle (or CASE) in a headless browser; PICTURES=folder keeps what it looked like
+	$(needs) run page browser
+	$(files) $(page_folder)/installed-for-tests
+	+@$(MAKE) report CASE=$(if $(case_given),$(case_file),settle)
+	@$(if $(PICTURES),mkdir -p $(PICTURES);) case=$(if $(case_given),$(case_name),settle); $(numpy_python) tests/run_report/run_report_test.py \
+	  out/$$case out/$$case/report.html $(if $(case_given),$(case_file),cases/settle.toml) $(page_folder) "$$(command -v chromium)" $(PICTURES)
 
 .PHONY: pictures
 pictures:  ## run plug_u24 and redraw the picture of the README (cases/gallery/)

@@ -8,9 +8,11 @@ the file small. The SVG is written here; rsvg-convert and pngquant make the PNG 
 
 import argparse
 import subprocess
+import sys
 import tomllib
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
 from frames import frame_list, read_frame
 
 PIXELS_PER_METRE = 1300.0  # a pipe of 0.8 m is 1040 wide

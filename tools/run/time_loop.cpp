@@ -120,7 +120,7 @@ void TimeLoop::output(long long step, bool is_last) {
   const bool sample_due = facts_.has_gas && (sample_schedule_.is_due(step) || (is_last && step != sampled_step_));
   if (!log_due && !frame_due && !sample_due) return;
 
-  const Snapshot snapshot = take_snapshot(view_, facts_.particle_count);
+  const Snapshot snapshot = this->snapshot();
   if (sample_due) plugs_.add(plug_sample(snapshot)), sampled_step_ = step;
   if (log_due) log(snapshot), logged_step_ = step;
   if (frame_due) outputs_.frame(snapshot), framed_step_ = step;
@@ -152,10 +152,7 @@ void TimeLoop::log(const Snapshot& snapshot) {
 }
 
 PlugSample TimeLoop::plug_sample(const Snapshot& snapshot) const {
-  std::vector<double> gradients(static_cast<std::size_t>(facts_.slice_count));
-  for (int slice = 0; slice < facts_.slice_count; ++slice)
-    gradients[static_cast<std::size_t>(slice)] = view_.pressure_gradient(slice);
-  PlugSample sample = find_plug(slice_profile(facts_, snapshot, gradients), snapshot.time);
+  PlugSample sample = find_plug(slice_profile(facts_, snapshot, snapshot.pressure_gradients), snapshot.time);
   sample.pressure_drop = view_.pressure_drop();
   return sample;
 }

@@ -38,6 +38,9 @@ class TimeLoop {
  private:
   int go_on();
   Status advance(long long steps);
+  Snapshot snapshot() const {
+    return take_snapshot(view_, facts_.particle_count, facts_.has_gas ? facts_.slice_count : 0);
+  }
   void output(long long step, bool is_last);
   void log(const Snapshot&);
   PlugSample plug_sample(const Snapshot&) const;

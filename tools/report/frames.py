@@ -1,7 +1,8 @@
 """Reads what a run writes for ParaView: the list of frames (.pvd) and a frame (.vtp, binary data appended raw).
 
 Only the standard library is used. A frame becomes a dictionary: array name -> list of values, or of tuples for arrays
-with several components; the particles' positions are the array named by Points.
+with several components; the particles' positions are the array named by Points, field data (one list per frame, such as
+the pressure gradient of the gas) are among them by their names.
 """
 
 import re
@@ -29,8 +30,10 @@ def read_frame(path):
     order = "<" if header.get("byte_order") == "LittleEndian" else ">"
     length_code = CODES[header.get("header_type", "UInt32")]
     arrays = {}
-    for parent in ("Points", "PointData"):
+    for parent in ("FieldData", "Points", "PointData"):
         for array in header.find(f".//{parent}").iter("DataArray"):
+            if array.get("format") != "appended":
+                continue
             code = CODES[array.get("type")]
             at = raw + int(array.get("offset"))
             (size,) = struct.unpack_from(order + length_code, data, at)
