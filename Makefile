@@ -38,6 +38,7 @@ include tools/make/footprint.mk
 include tools/make/frontier.mk
 include tools/make/fuzz.mk
 include tools/make/run_report.mk
+include tools/make/figures.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
@@ -204,10 +205,18 @@ format:  ## format every source file in place
 	@clang-format -i $(sources)
 
 .PHONY: plug-table
-plug-table:  ## run the five plugs from three seeds of each fill and rewrite the table in cases/README.md
+plug-table:  ## run the five plugs from three seeds of each fill (those not yet run) and rewrite the table in cases/README.md
 	$(needs) run table
 	$(files) $(addprefix $(build)/bin/,$(plug_cases))
-	tools/plug_table/plug_table.py --programs $(build)/bin --out out/plug_table cases/README.md
+	tools/plug_table/plug_table.py --programs $(build)/bin --out out/plug_table --jobs $(JOBS) cases/README.md
+
+.PHONY: figures
+figures:  ## the paper's figures from runs of our own (those not yet made): cases/gallery/ and cases/README.md; JOBS=1: one at a time
+	$(needs) run table report picture page
+	$(files) build-figures
+	+@$(MAKE) final-state CASE=settle OUT= SEED= ARGS=
+	@$(numpy_python) tools/figures/figures.py cases/README.md --out cases/gallery --programs $(build)/bin --impacts $(figure_impacts) \
+	  --decays $(figure_decays) --jobs $(JOBS)
 
 .PHONY: report
 report:  ## a page about the last run of CASE, or about a run made now: OUT/report.html, opens in any browser

@@ -1,36 +1,20 @@
 #!/usr/bin/env python3
 """Runs the five plugs from several seeds of their fills and rewrites the table in cases/README.md: make plug-table.
 
-For each seed: the fills with that seed, then each plug from the fill it names, two programs at a time, each at its own
-duration. The quantities are those of summary.json (tools/README.md). The verdict follows one rule, written above the
-table, so that a reader can check it against the figures beside it.
+The runs are those of tools/report/plug_runs.py, each for its own duration. The quantities are those of summary.json
+(tools/README.md). The verdict follows one rule, written above the table, so that a reader can check it against the
+figures beside it.
 """
 
 import argparse
-import json
-import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
+from plug_runs import PlugRuns
 from plug_verdict import RULE, verdict
 
-PLUGS = {  # plug: the fill it starts from
-    "plug_u24": "fill_1000",
-    "plug_u17": "fill_1000",
-    "plug_u17_d3": "fill_1000",
-    "plug_u24_d3": "fill_1000",
-    "plug_u24_n500": "fill_500",
-}
 BEGIN, END = "<!-- plug table -->", "<!-- end -->"
-
-
-def run(program, out, *options):
-    done = subprocess.run([program, "--out", out, "--quiet", "--no-frames", *options], check=False, capture_output=True, text=True)
-    if done.returncode != 0:
-        raise SystemExit(f"{program} --out {out} {' '.join(map(str, options))}: exit code {done.returncode}\n{done.stderr}")
-    return json.loads((out / "summary.json").read_text())
 
 
 def number(value, digits):
@@ -80,22 +64,11 @@ def main():
     if not 0 <= text.find(BEGIN) < text.find(END):
         raise SystemExit(f"{chosen.readme}: no line {BEGIN} followed by a line {END}")
 
-    def fill(case, seed):
-        return run(chosen.programs / case, chosen.out / f"{case}-seed{seed}", "--seed", str(seed))
+    summaries = PlugRuns(chosen.programs, chosen.out, chosen.seeds, chosen.jobs).all()
+    rows = [row(case, seed, summary) for (case, seed), summary in summaries.items()]
+    print("\n".join(rows))
 
-    def plug(case, seed):
-        state = chosen.out / f"{PLUGS[case]}-seed{seed}" / "final.fixdem"
-        summary = run(chosen.programs / case, chosen.out / f"{case}-seed{seed}", "--start-state", state)
-        line = row(case, seed, summary)
-        print(line, flush=True)
-        return line
-
-    with ThreadPoolExecutor(chosen.jobs) as pool:
-        fills = [pool.submit(fill, case, seed) for seed in chosen.seeds for case in sorted(set(PLUGS.values()))]
-        for job in fills:
-            job.result()
-        rows = [job.result() for job in [pool.submit(plug, case, seed) for case in PLUGS for seed in chosen.seeds]]
-
+    text = chosen.readme.read_text()  # minutes later: it may have been changed meanwhile
     before, after = text[: text.index(BEGIN) + len(BEGIN)], text[text.index(END) :]
     chosen.readme.write_text(f"{before}\n{table(rows)}\n{after}")
 

@@ -43,3 +43,13 @@ def read_frame(path):
             name = "position" if parent == "Points" else re.sub(r"\W+", "_", array.get("Name"))
             arrays[name] = values if width == 1 else [values[i : i + width] for i in range(0, count, width)]
     return arrays
+
+
+def frames_at(run, times):
+    """(time, frame) of a run nearest to each time; a frame must lie within 10 ms of it."""
+    available = frame_list(Path(run) / "frames.pvd")
+    nearest = [min(available, key=lambda entry: abs(entry[0] - time)) for time in times]
+    for time, (found, _) in zip(times, nearest):
+        if abs(found - time) > 0.01:
+            raise SystemExit(f"{run}: no frame near {time} s (the nearest is at {found} s)")
+    return [(time, read_frame(path)) for time, path in nearest]
