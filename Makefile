@@ -58,6 +58,13 @@ run:  ## build and run CASE, and first the case it starts from; results in OUT; 
 	$(files) start-state
 	@$(read_start); $(call run_case,$(OUT)) $(resume)$(if $(RESUME),,$(if $(filter $(usual),$(OUT)),; $(leave_mark)))
 
+.PHONY: watch
+watch:  ## the same with a live picture of the pipe in the terminal instead of the table
+	$(needs) run
+	$(files) build-program
+	$(files) start-state
+	@$(read_start); $(call run_case,$(OUT)) --watch$(if $(filter $(usual),$(OUT)),; $(leave_mark))
+
 .PHONY: test
 test:  ## build and run every test; ends with "N passed, M failed"
 	$(needs) run test $(if $(SAN),,frontier)
