@@ -246,10 +246,29 @@ pictures:  ## run plug_u24 and redraw the picture of the README (cases/gallery/)
 	@$(MAKE) run CASE=plug_u24 OUT=out/picture ARGS='--quiet'
 	tools/picture/picture.py out/picture cases/gallery/plug_u24 --case cases/plug_u24.toml
 
+.PHONY: movie
+movie:  ## a movie of the last run of CASE, or of a run made now: OUT/movie.mp4, or FORMAT=gif; SECONDS=10 long
+	$(needs) run movie
+	$(files) build-program
+	+@[ -e $(OUT)/summary.json ] || $(MAKE) run
+	@$(numpy_python) tools/movie/movie.py $(OUT) $(OUT)/movie.$(or $(FORMAT),mp4) --case $(case_file) --seconds $(or $(SECONDS),10)
+
+.PHONY: test-movie
+test-movie:  ## a short movie of settle: its pictures, and that it plays
+	$(needs) run movie
+	+@$(MAKE) final-state CASE=settle OUT= SEED= ARGS=
+	@$(numpy_python) tests/movie_test.py out/settle $(build)/scratch
+
 .PHONY: render
 render:  ## render CASE's frames with ParaView into OUT/render.png
 	$(needs) render
 	xvfb-run -a pvpython --force-offscreen-rendering tools/picture/render_paraview.py $(OUT) $(OUT)/render.png
+
+.PHONY: test-paraview
+test-paraview:  ## the frames of settle (or CASE) read back by ParaView's own reader
+	$(needs) run render
+	+@$(MAKE) final-state CASE=$(if $(case_given),$(case_file),settle) OUT= SEED= ARGS=
+	@pvpython --force-offscreen-rendering tests/paraview_test.py out/$(if $(case_given),$(case_name),settle) $(if $(case_given),$(case_file),cases/settle.toml)
 
 .PHONY: deps
 deps:  ## install what running and testing need; nothing when all is there
