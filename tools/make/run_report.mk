@@ -1,5 +1,6 @@
 # `make report`: the page of a run. Its script and style are bundled once from tools/run_report/source and npm packages
-# (versions pinned in tools/run_report/package-lock.json); node_modules lies in BUILD/node, whatever the compiler.
+# (versions pinned in tools/run_report/package-lock.json, all for Node.js 18 and later); node_modules lies in BUILD/node,
+# whatever the compiler.
 
 page_folder := $(BUILD)/node
 page_bundle := $(page_folder)/page

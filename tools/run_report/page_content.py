@@ -1,6 +1,7 @@
 """What the page of a run says: verdicts with their rules, charts, energy ledger, speed, capacities; out of summary and log."""
 
 import re
+from html import escape
 
 from page_parts import number, table
 from plug_verdict import RULE, verdict
@@ -66,7 +67,8 @@ def charts(log):
     ]  # fmt: skip
     found = []
     for title, unit, form, lines, note in every:
-        present = [{"column": name, "label": label} for name, label in lines.items() if any(v is not None for v in log.get(name, []))]
+        shown = {name: any(v is not None and (v > 0 or form != "log") for v in log.get(name, [])) for name in lines}
+        present = [{"column": name, "label": label} for name, label in lines.items() if shown[name]]
         if present:
             found.append({"id": "chart-" + re.sub(r"\W+", "-", title.lower()), "title": title, "unit": unit, "log": form == "log",
                           "points": form == "points", "lines": present, "note": note})  # fmt: skip
@@ -111,7 +113,8 @@ def facts(summary, case):
     rows = []
     for name, values in case.items():
         if isinstance(values, dict):
-            rows.append((f"[{name}]", ", ".join(f"{key} = {value:g}" if isinstance(value, float) else f"{key} = {value}" for key, value in values.items() if not isinstance(value, list | dict) or key == "gravity")))
+            words = [f"{key} = {value:g}" if isinstance(value, float) else f"{key} = {value}" for key, value in values.items() if key != "particle"]
+            rows.append((f"[{name}]", escape(", ".join(words) or "particles placed one by one")))
     rows.append(("compiled in", " ".join(summary["features"]).replace("_", " ") + f", {summary['precision']} precision"))
     rows.append(("final state", f"hash {summary['final']['state_hash']}"))
     return table("the case", ("part", "values, SI units"), rows)
