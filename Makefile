@@ -219,7 +219,7 @@ plug-table:  ## run the five plugs from three seeds of each fill (those not yet 
 
 .PHONY: figures
 figures:  ## the paper's figures from runs of our own (those not yet made): cases/gallery/ and cases/README.md; JOBS=1: one at a time
-	$(needs) run table report picture page
+	$(needs) run table report picture figures
 	$(files) build-figures
 	+@$(MAKE) final-state CASE=settle OUT= SEED= ARGS=
 	@$(numpy_python) tools/figures/figures.py cases/README.md --out cases/gallery --programs $(build)/bin --impacts $(figure_impacts) \

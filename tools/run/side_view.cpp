@@ -20,7 +20,7 @@ SideView::SideView(const CaseFacts& facts, int columns)
       is_periodic_(facts.is_periodic),
       columns_(columns),
       rows_(std::clamp(static_cast<int>(std::lround(0.5 * columns * facts.pipe_diameter / length_)), 6, 20)),
-      cells_(static_cast<std::size_t>(columns_ * rows_)) {}
+      cells_(index(rows_, 0)) {}
 
 void SideView::draw(const Snapshot& snapshot) {
   std::fill(cells_.begin(), cells_.end(), Cell{});

@@ -31,7 +31,9 @@ class SideView {
   struct Cell {
     double solids = 0, momentum = 0;  ///< m3, m4/s
   };
-  std::size_t index(int row, int column) const { return static_cast<std::size_t>(row * columns_ + column); }
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
 
   double radius_, pipe_radius_, length_;
   bool is_periodic_;
