@@ -37,6 +37,8 @@ include tools/make/embedded.mk
 include tools/make/footprint.mk
 include tools/make/frontier.mk
 include tools/make/fuzz.mk
+include tools/make/run_report.mk
+include tools/make/figures.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
@@ -55,6 +57,13 @@ run:  ## build and run CASE, and first the case it starts from; results in OUT; 
 	$(files) build-program
 	$(files) start-state
 	@$(read_start); $(call run_case,$(OUT)) $(resume)$(if $(RESUME),,$(if $(filter $(usual),$(OUT)),; $(leave_mark)))
+
+.PHONY: watch
+watch:  ## the same with a live picture of the pipe in the terminal instead of the table
+	$(needs) run
+	$(files) build-program
+	$(files) start-state
+	@$(read_start); $(call run_case,$(OUT)) --watch$(if $(filter $(usual),$(OUT)),; $(leave_mark))
 
 .PHONY: test
 test:  ## build and run every test; ends with "N passed, M failed"
@@ -203,10 +212,33 @@ format:  ## format every source file in place
 	@clang-format -i $(sources)
 
 .PHONY: plug-table
-plug-table:  ## run the five plugs from three seeds of each fill and rewrite the table in cases/README.md
+plug-table:  ## run the five plugs from three seeds of each fill (those not yet run) and rewrite the table in cases/README.md
 	$(needs) run table
 	$(files) $(addprefix $(build)/bin/,$(plug_cases))
-	tools/plug_table/plug_table.py --programs $(build)/bin --out out/plug_table cases/README.md
+	tools/plug_table/plug_table.py --programs $(build)/bin --out out/plug_table --jobs $(JOBS) cases/README.md
+
+.PHONY: figures
+figures:  ## the paper's figures from runs of our own (those not yet made): cases/gallery/ and cases/README.md; JOBS=1: one at a time
+	$(needs) run table report picture figures
+	$(files) build-figures
+	+@$(MAKE) final-state CASE=settle OUT= SEED= ARGS=
+	@$(numpy_python) tools/figures/figures.py cases/README.md --out cases/gallery --programs $(build)/bin --impacts $(figure_impacts) \
+	  --decays $(figure_decays) --jobs $(JOBS)
+
+.PHONY: report
+report:  ## a page about the last run of CASE, or about a run made now: OUT/report.html, opens in any browser
+	$(needs) run page
+	$(files) build-program build-page
+	+@[ -e $(OUT)/summary.json ] || $(MAKE) run
+	@$(numpy_python) tools/run_report/run_report.py $(OUT) $(OUT)/report.html --case $(case_file) --program $(case_program) --bundle $(page_bundle)
+
+.PHONY: test-report
+test-report:  ## the page of settle (or CASE) in a headless browser; PICTURES=folder keeps what it looked like
+	$(needs) run page browser
+	$(files) $(page_folder)/installed-for-tests
+	+@$(MAKE) report CASE=$(if $(case_given),$(case_file),settle)
+	@$(if $(PICTURES),mkdir -p $(PICTURES);) case=$(if $(case_given),$(case_name),settle); $(numpy_python) tests/run_report/run_report_test.py \
+	  out/$$case out/$$case/report.html $(if $(case_given),$(case_file),cases/settle.toml) $(page_folder) "$$(command -v chromium)" $(PICTURES)
 
 .PHONY: pictures
 pictures:  ## run plug_u24 and redraw the picture of the README (cases/gallery/)
@@ -214,10 +246,29 @@ pictures:  ## run plug_u24 and redraw the picture of the README (cases/gallery/)
 	@$(MAKE) run CASE=plug_u24 OUT=out/picture ARGS='--quiet'
 	tools/picture/picture.py out/picture cases/gallery/plug_u24 --case cases/plug_u24.toml
 
+.PHONY: movie
+movie:  ## a movie of the last run of CASE, or of a run made now: OUT/movie.mp4, or FORMAT=gif; SECONDS=10 long
+	$(needs) run movie
+	$(files) build-program
+	+@[ -e $(OUT)/summary.json ] || $(MAKE) run
+	@$(numpy_python) tools/movie/movie.py $(OUT) $(OUT)/movie.$(or $(FORMAT),mp4) --case $(case_file) --seconds $(or $(SECONDS),10)
+
+.PHONY: test-movie
+test-movie:  ## a short movie of settle: its pictures, and that it plays
+	$(needs) run movie
+	+@$(MAKE) final-state CASE=settle OUT= SEED= ARGS=
+	@$(numpy_python) tests/movie_test.py out/settle $(build)/scratch
+
 .PHONY: render
 render:  ## render CASE's frames with ParaView into OUT/render.png
 	$(needs) render
 	xvfb-run -a pvpython --force-offscreen-rendering tools/picture/render_paraview.py $(OUT) $(OUT)/render.png
+
+.PHONY: test-paraview
+test-paraview:  ## the frames of settle (or CASE) read back by ParaView's own reader
+	$(needs) run render
+	+@$(MAKE) final-state CASE=$(if $(case_given),$(case_file),settle) OUT= SEED= ARGS=
+	@pvpython --force-offscreen-rendering tests/paraview_test.py out/$(if $(case_given),$(case_name),settle) $(if $(case_given),$(case_file),cases/settle.toml)
 
 .PHONY: deps
 deps:  ## install what running and testing need; nothing when all is there

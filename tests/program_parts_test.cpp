@@ -1,9 +1,10 @@
 // The parts of the program that can be tested without a simulation: random numbers, arrangement, state file, schedule,
-// fault report, dump.
+// fault report, dump, field data of frames.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "tools/run/failure.hpp"
 #include "tools/run/fault_report.hpp"
 #include "tools/run/neighbourhood.hpp"
+#include "tools/run/frames_vtp.hpp"
 #include "tools/run/random_numbers.hpp"
 #include "tools/run/schedule.hpp"
 #include "tools/run/state_file.hpp"
@@ -264,4 +266,24 @@ TEST_CASE("dump: a LAMMPS section that reads back exactly") {
         "ITEM: TIMESTEP\n500\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff pp\n-0.025 0.025\n-0.025 0.025\n0 0.8\n"
         "ITEM: ATOMS id type x y z vx vy vz omegax omegay omegaz radius\n"
         "1 1 0.001 -0.002 0.1 1 2 3 4 5 6 0.005\n2 1 0 0 0.109 -1 0 1e-300 0 0 -0 0.005\n");
+}
+
+TEST_CASE(
+    "frame: the gas's pressure gradient is field data, as long as the pipe has slices; without gas there is none") {
+  Snapshot snapshot;
+  snapshot.particles.resize(2);
+  CHECK(encode_vtp(snapshot, 0.005).find("pressure_gradient") == std::string::npos);
+  snapshot.pressure_gradients = {3.5, -1.25, 1e4};
+  const std::string vtp = encode_vtp(snapshot, 0.005);
+  CHECK(vtp.find("Name=\"pressure_gradient\" NumberOfTuples=\"3\" format=\"appended\" offset=\"0\"") !=
+        std::string::npos);
+  const std::size_t data = vtp.find('_', vtp.find("<AppendedData")) + 1;
+  std::uint64_t size = 0;
+  std::memcpy(&size, vtp.data() + data, sizeof size);
+  REQUIRE(size == 3 * sizeof(double));
+  double values[3];
+  std::memcpy(values, vtp.data() + data + sizeof size, sizeof values);
+  CHECK(values[0] == 3.5);
+  CHECK(values[1] == -1.25);
+  CHECK(values[2] == 1e4);
 }

@@ -2,7 +2,8 @@
 # Finds what the named groups of targets need (tools/deps/needs.txt) and installs what is missing, with the system's own
 # package manager, through sudo when not root. Says nothing and touches nothing when all is there.
 #
-# Usage: tools/deps/deps.sh GROUP...      groups: run, test, identical, embedded, footprint, bench, report, peers, lammps, check, table, picture, render
+# Usage: tools/deps/deps.sh GROUP...      groups: run, test, identical, embedded, footprint, bench, report, peers, lammps, check, table, page,
+# browser, figures, movie, picture, render
 # Environment: CXX (the compiler to probe; default g++), INCLUDES (its -isystem flags).
 # Exit code: 0 all there now, 1 something is still missing.
 set -euo pipefail
@@ -20,11 +21,15 @@ missing_probes() {
       "<"*) headers+=$probe$'\n' ;;
       CXX) command -v "${CXX%% *}" >/dev/null && compiles || echo CXX ;;
       /*) [[ -e $probe ]] || echo "$probe" ;;
+      module:*) has_module "${probe#module:}" || echo "$probe" ;;
       *) command -v "$probe" >/dev/null || echo "$probe" ;;
     esac
   done <"$needs"
   [[ -z $headers ]] || missing_headers <<<"${headers%$'\n'}"
 }
+
+# A module of Python, for the first python3 of the path or for the system's own, which packages bring it to.
+has_module() { python3 -c "import $1" 2>/dev/null || /usr/bin/python3 -c "import $1" 2>/dev/null; }
 
 # A compiler without the C library's headers or without C++20 is as good as none.
 compiles() { $CXX -std=c++20 -fsyntax-only -x c++ - <<<'#include <cstdio>' 2>/dev/null; }

@@ -17,17 +17,29 @@ class AppendedData {
  public:
   template <class T>
   std::string array(const char* name, const char* type, int components, const std::vector<T>& values) {
-    const std::uint64_t size = values.size() * sizeof(T);
-    const std::size_t offset = bytes_.size();
-    bytes_.append(reinterpret_cast<const char*>(&size), sizeof size);
-    bytes_.append(reinterpret_cast<const char*>(values.data()), size);
     return fmt::format(
         "        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
-        type, name, components, offset);
+        type, name, components, append(values));
+  }
+  /// Field data: as long as it likes, not one value for each point.
+  template <class T>
+  std::string field(const char* name, const char* type, const std::vector<T>& values) {
+    return fmt::format(
+        "      <DataArray type=\"{}\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"appended\" offset=\"{}\"/>\n", type,
+        name, values.size(), append(values));
   }
   const std::string& bytes() const { return bytes_; }
 
  private:
+  template <class T>
+  std::size_t append(const std::vector<T>& values) {
+    const std::uint64_t size = values.size() * sizeof(T);
+    const std::size_t offset = bytes_.size();
+    bytes_.append(reinterpret_cast<const char*>(&size), sizeof size);
+    bytes_.append(reinterpret_cast<const char*>(values.data()), size);
+    return offset;
+  }
+
   std::string bytes_;
 };
 
@@ -64,15 +76,19 @@ std::string encode_vtp(const Snapshot& snapshot, double radius, const std::vecto
     offsets[i] = static_cast<std::int64_t>(i) + 1;
   }
   AppendedData data;
+  const std::string gas = snapshot.pressure_gradients.empty()
+                              ? std::string()
+                              : data.field("pressure_gradient", "Float64", snapshot.pressure_gradients);
   std::string xml = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n"
       "  <PolyData>\n    <FieldData>\n"
       "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:.12g}</DataArray>\n"
       "      <DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
-      "    </FieldData>\n    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" "
+      "{}    </FieldData>\n    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" "
       "NumberOfStrips=\"0\" "
       "NumberOfPolys=\"0\">\n",
-      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", snapshot.time, snapshot.step, n, n);
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", snapshot.time, snapshot.step, gas, n,
+      n);
   xml += "      <Points>\n";
   xml += data.array("position", "Float64", 3,
                     flat(snapshot, chosen, [](const Particle& p) -> const Triple& { return p.position; }));

@@ -5,7 +5,7 @@
 // is a short XML header and the arrays as raw appended binary data, each preceded by its size in bytes as UInt64.
 // Points in m, velocity in m/s, angular_velocity in rad/s, radius in m, contacts (number per particle), id (input
 // order); one vertex cell per particle, so that ParaView shows the points without a filter. Positions and motion in
-// double precision. The time and the step are field data.
+// double precision. The time, the step and, with gas, the pressure gradient of each slice (Pa/m) are field data.
 #pragma once
 
 #include <filesystem>

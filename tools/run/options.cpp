@@ -61,6 +61,7 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
                                   "checkpoint_interval, or once a minute by the clock)")
                        ->type_name("S");
   app.add_flag("--quiet", options.quiet, "no table, no progress; errors only");
+  app.add_flag("--watch", options.watch, "a live picture of the pipe instead of the table; only on a terminal");
   app.add_flag("--no-frames", no_frames, "write no frames and no dump, only log, final state and summary");
   app.set_version_flag(
       "--version", [&] { return version_text(facts, view); }, "what is compiled into this program");

@@ -15,6 +15,7 @@ struct Options {
   unsigned long long seed = 0;
   double duration = 0;  ///< s
   bool quiet = false;
+  bool watch = false;  ///< a live picture instead of the table, if there is a terminal
   bool frames = true;
   bool resume = false;
   std::optional<std::filesystem::path> resume_from;  ///< a certain checkpoint instead of the latest

@@ -68,7 +68,9 @@ void remove_file(const files::path& path) {
 }
 
 void tidy_folder(const files::path& out, int frames) {
-  for (const char* name : {"final.fixdem", "summary.json", "fault.vtp", "stopped.fixdem"}) remove_file(out / name);
+  for (const char* name :
+       {"final.fixdem", "summary.json", "fault.vtp", "stopped.fixdem", "report.html", "movie.mp4", "movie.gif"})
+    remove_file(out / name);
   for (const char* name : {"final.fixdem", "summary.json", "fault.vtp", "stopped.fixdem", "frames.pvd"})
     remove_file(out / (std::string(name) + ".part"));
   for (const auto& [step, path] : numbered(out, "checkpoint-", ".fixdem.part")) remove_file(path);

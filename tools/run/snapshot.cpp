@@ -24,7 +24,7 @@ void swap_owner(Contact& contact) {
 
 }  // namespace
 
-Snapshot take_snapshot(const SimulationView& view, int particle_count) {
+Snapshot take_snapshot(const SimulationView& view, int particle_count, int gas_slices) {
   Snapshot snapshot;
   snapshot.time = view.time();
   snapshot.step = view.step();
@@ -35,6 +35,7 @@ Snapshot take_snapshot(const SimulationView& view, int particle_count) {
     snapshot.images.push_back(view.image(id));
   }
   snapshot.contacts = view.contacts();
+  for (int slice = 0; slice < gas_slices; ++slice) snapshot.pressure_gradients.push_back(view.pressure_gradient(slice));
   for (Contact& contact : snapshot.contacts)
     if (contact.partner >= 0 && contact.partner < contact.owner) swap_owner(contact);
   std::sort(snapshot.contacts.begin(), snapshot.contacts.end(), [](const Contact& a, const Contact& b) {

@@ -18,9 +18,11 @@ struct Snapshot {
   std::vector<Particle> particles;
   std::vector<int> images;  ///< periodic crossings: unwrapped z = z + image * pipe length
   std::vector<Contact> contacts;
+  std::vector<double> pressure_gradients;  ///< of the gas in each slice along the pipe, Pa/m; empty without gas
 };
 
-Snapshot take_snapshot(const SimulationView&, int particle_count);
+/// gas_slices: how many slices of gas the case has, 0 without gas.
+Snapshot take_snapshot(const SimulationView&, int particle_count, int gas_slices = 0);
 
 /// Number of contacts (pairs and walls) of each particle.
 std::vector<int> contacts_per_particle(const Snapshot&);

@@ -29,7 +29,8 @@ TimeLoop::TimeLoop(SimulationView& view, const CaseFacts& facts, const Options& 
       outputs_(facts, options, resumed != nullptr ? &resumed->checkpoint.outputs : nullptr),
       watch_(facts),
       plugs_(facts.pipe_length),
-      progress_(facts, view.step(), total_steps_, options.quiet),
+      picture_(options.watch && !options.quiet ? Watch::on_terminal(facts, options.duration) : std::nullopt),
+      progress_(facts, view.step(), total_steps_, options.quiet || picture_),
       log_schedule_(facts.log_interval, facts.time_step),
       frame_schedule_(options.frames ? facts.frame_interval : 0, facts.time_step),
       sample_schedule_(facts.has_gas ? facts.sample_interval : 0, facts.time_step),
@@ -55,7 +56,7 @@ int TimeLoop::run() {
 }
 
 int TimeLoop::go_on() {
-  if (!options_.quiet) std::fputs(table_header(facts_).c_str(), stdout);
+  if (!options_.quiet && !picture_) std::fputs(table_header(facts_).c_str(), stdout);
   Status status{};
   int signal = 0;
   long long step = view_.step();
@@ -72,6 +73,7 @@ int TimeLoop::go_on() {
     step = view_.step();
     progress_.update(step, kernel_time_);
     output(step, step >= total_steps_);
+    if (picture_ && (picture_->is_due() || step >= total_steps_)) show();
     if (step < total_steps_) signal = interrupt_signal();
     if (status.ok() && checkpoint_is_due(step)) write_checkpoint();
   }
@@ -120,7 +122,7 @@ void TimeLoop::output(long long step, bool is_last) {
   const bool sample_due = facts_.has_gas && (sample_schedule_.is_due(step) || (is_last && step != sampled_step_));
   if (!log_due && !frame_due && !sample_due) return;
 
-  const Snapshot snapshot = take_snapshot(view_, facts_.particle_count);
+  const Snapshot snapshot = this->snapshot();
   if (sample_due) plugs_.add(plug_sample(snapshot)), sampled_step_ = step;
   if (log_due) log(snapshot), logged_step_ = step;
   if (frame_due) outputs_.frame(snapshot), framed_step_ = step;
@@ -143,19 +145,27 @@ void TimeLoop::log(const Snapshot& snapshot) {
   outputs_.log(row);
   if (const std::string warning = watch_.take_warning(); !warning.empty()) {
     progress_.clear();
+    if (picture_) picture_->begin_below();
     std::fputs(warning.c_str(), stderr);
   }
-  if (options_.quiet) return;
+  if (options_.quiet || picture_) return;
   progress_.clear();
   std::fputs(table_row(facts_, row).c_str(), stdout);
   std::fflush(stdout);
 }
 
+void TimeLoop::show() {
+  const Snapshot snapshot = this->snapshot();
+  LogRow row;
+  row.time = snapshot.time;
+  row.step = snapshot.step;
+  row.observation = view_.observe();
+  if (facts_.has_gas) row.plug = plug_sample(snapshot);
+  picture_->show(snapshot, row);
+}
+
 PlugSample TimeLoop::plug_sample(const Snapshot& snapshot) const {
-  std::vector<double> gradients(static_cast<std::size_t>(facts_.slice_count));
-  for (int slice = 0; slice < facts_.slice_count; ++slice)
-    gradients[static_cast<std::size_t>(slice)] = view_.pressure_gradient(slice);
-  PlugSample sample = find_plug(slice_profile(facts_, snapshot, gradients), snapshot.time);
+  PlugSample sample = find_plug(slice_profile(facts_, snapshot, snapshot.pressure_gradients), snapshot.time);
   sample.pressure_drop = view_.pressure_drop();
   return sample;
 }

@@ -24,6 +24,7 @@
 #include "rewind.hpp"
 #include "schedule.hpp"
 #include "stability_watch.hpp"
+#include "watch.hpp"
 
 namespace fixdem::program {
 
@@ -38,8 +39,12 @@ class TimeLoop {
  private:
   int go_on();
   Status advance(long long steps);
+  Snapshot snapshot() const {
+    return take_snapshot(view_, facts_.particle_count, facts_.has_gas ? facts_.slice_count : 0);
+  }
   void output(long long step, bool is_last);
   void log(const Snapshot&);
+  void show();
   PlugSample plug_sample(const Snapshot&) const;
   bool checkpoint_is_due(long long step) const;
   void write_checkpoint();
@@ -67,6 +72,7 @@ class TimeLoop {
   bool step_is_too_large_ = false;
   bool state_is_good_ = true;  ///< after a fault: it could be gone back to the last good step
   PlugRecord plugs_;
+  std::optional<Watch> picture_;  ///< with --watch
   Progress progress_;
   Schedule log_schedule_, frame_schedule_, sample_schedule_, checkpoint_schedule_;
   long long logged_step_ = -1, framed_step_ = -1, sampled_step_ = -1;  ///< of the last one written

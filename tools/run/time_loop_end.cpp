@@ -29,7 +29,7 @@ void TimeLoop::write_stopped_state(const Status& status) {
   if (!state_is_good_) return;
   write_checkpoint();
   if (status.ok() && !step_is_too_large_) return;
-  const Snapshot snapshot = take_snapshot(view_, facts_.particle_count);
+  const Snapshot snapshot = this->snapshot();
   const int particle = status.ok() ? watch_.particle() : status.particle;
   write_file(options_.out / "fault.vtp",
              encode_vtp(snapshot, facts_.radius(), neighbourhood(facts_, snapshot, particle)), Durability::fast);
@@ -48,7 +48,7 @@ void TimeLoop::write_end(const Status& status, int signal) {
                    : step_is_too_large_ ? "time_step_too_large"
                    : signal != 0        ? "interrupted"
                                         : "done";
-  outcome.snapshot = take_snapshot(view_, facts_.particle_count);
+  outcome.snapshot = snapshot();
   outcome.observation = view_.observe();
   outcome.start_energy = start_energy_;
   outcome.energy = view_.energy();

@@ -1,7 +1,8 @@
 """Reads what a run writes for ParaView: the list of frames (.pvd) and a frame (.vtp, binary data appended raw).
 
 Only the standard library is used. A frame becomes a dictionary: array name -> list of values, or of tuples for arrays
-with several components; the particles' positions are the array named by Points.
+with several components; the particles' positions are the array named by Points, field data (one list per frame, such as
+the pressure gradient of the gas) are among them by their names.
 """
 
 import re
@@ -29,8 +30,10 @@ def read_frame(path):
     order = "<" if header.get("byte_order") == "LittleEndian" else ">"
     length_code = CODES[header.get("header_type", "UInt32")]
     arrays = {}
-    for parent in ("Points", "PointData"):
+    for parent in ("FieldData", "Points", "PointData"):
         for array in header.find(f".//{parent}").iter("DataArray"):
+            if array.get("format") != "appended":
+                continue
             code = CODES[array.get("type")]
             at = raw + int(array.get("offset"))
             (size,) = struct.unpack_from(order + length_code, data, at)
@@ -40,3 +43,13 @@ def read_frame(path):
             name = "position" if parent == "Points" else re.sub(r"\W+", "_", array.get("Name"))
             arrays[name] = values if width == 1 else [values[i : i + width] for i in range(0, count, width)]
     return arrays
+
+
+def frames_at(run, times):
+    """(time, frame) of a run nearest to each time; a frame must lie within 10 ms of it."""
+    available = frame_list(Path(run) / "frames.pvd")
+    nearest = [min(available, key=lambda entry: abs(entry[0] - time)) for time in times]
+    for time, (found, _) in zip(times, nearest):
+        if abs(found - time) > 0.01:
+            raise SystemExit(f"{run}: no frame near {time} s (the nearest is at {found} s)")
+    return [(time, read_frame(path)) for time, path in nearest]

@@ -1,0 +1,18 @@
+# `make figures`: the paper's figures, from programs and runs of their own. Runs are kept in out/ and shared with make plug-table.
+
+# Time steps of Fig. 8, s.
+figure_steps := 5e-07 2e-06 1e-05 2e-05 3e-05 3.5e-05 4e-05
+figure_decays := $(figure_steps:%=$(build)/stability/settle/bin/kernel_runs+TIME_STEP@%)
+figure_impacts := $(build)/figures/impacts
+# How many plugs run at a time.
+JOBS ?= 2
+
+$(figure_impacts): tools/figures/impacts.cpp $(build)/cases/collide_wall.hpp
+	@mkdir -p $(@D)
+	$(call say,compile $<)
+	$(quiet)$(CXX) -MMD -MP -MF $@.d -MT $@ $(tool_flags) $(link_flags) $< $(libraries) -o $@
+
+.PHONY: build-figures
+build-figures: $(figure_impacts) $(figure_decays) $(addprefix $(build)/bin/,$(plug_cases) settle)
+
+-include $(wildcard $(figure_impacts).d)

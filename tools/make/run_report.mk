@@ -1,0 +1,27 @@
+# `make report`: the page of a run. Its script and style are bundled once from tools/run_report/source and npm packages
+# (versions pinned in tools/run_report/package-lock.json, all for Node.js 18 and later); node_modules lies in BUILD/node,
+# whatever the compiler.
+
+page_folder := $(BUILD)/node
+page_bundle := $(page_folder)/page
+page_sources := $(wildcard tools/run_report/source/*.js tools/run_report/source/*.css)
+npm := npm --prefix $(page_folder) --no-audit --no-fund --ignore-scripts --loglevel=error
+
+$(page_folder)/installed $(page_folder)/installed-for-tests: tools/run_report/package-lock.json
+	@mkdir -p $(page_folder)
+	$(call say,fetch the npm packages that the page is made with)
+	$(quiet)cp tools/run_report/package.json tools/run_report/package-lock.json tools/run_report/.npmrc $(page_folder)
+	$(quiet)$(npm) ci $(if $(findstring tests,$@),,--omit=dev) >&2
+	@touch $(page_folder)/installed $@
+
+$(page_bundle)/page.js: $(page_sources) tools/run_report/package-lock.json | $(page_folder)/installed
+	$(call say,bundle the page)
+	$(quiet)rm -rf $(page_folder)/source && cp -r tools/run_report/source $(page_folder)/source
+	$(quiet)$(page_folder)/node_modules/.bin/esbuild $(page_folder)/source/main.js --bundle --minify --format=esm --charset=utf8 \
+	  --target=es2022 --legal-comments=eof --log-level=warning --outfile=$@
+
+# The python3 that has NumPy: the first of the path, or else the system's own, which packages bring it to.
+numpy_python = $$(python3 -c 'import numpy' 2>/dev/null && echo python3 || echo /usr/bin/python3)
+
+.PHONY: build-page
+build-page: $(page_bundle)/page.js

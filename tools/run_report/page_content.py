@@ -1,0 +1,120 @@
+"""What the page of a run says: verdicts with their rules, charts, energy ledger, speed, capacities; out of summary and log."""
+
+import re
+from html import escape
+
+from page_parts import number, table
+from plug_verdict import RULE, verdict
+
+
+def entry(what, found, word, why, tone=""):
+    return {"what": what, "found": found, "word": word, "why": why, "tone": tone}
+
+
+def verdicts(summary, log, case):
+    """A list of what was measured, a word for it, and the rule that the word follows from."""
+    rows = []
+    done = summary["status"] == "done"
+    rows.append(
+        entry("the run", f"{number(summary['steps'])} steps, {summary['final']['time']:.6g} s", summary["status"],
+              "status of summary.json; done: to its end, without a fault", "good" if done else "bad")
+    )  # fmt: skip
+    ratio = (summary.get("stability") or {}).get("greatest_step_ratio")
+    if ratio is not None:
+        word, tone = ("stable", "good") if ratio <= 1 else ("beyond the bound", "bad")
+        rows.append(entry("time step", f"{ratio:.3g} of the stable one at most", word, "stable up to 1, looked at with every row of the log", tone))
+    overlap = max((v for v in log["max overlap / radius"] if v is not None), default=None)
+    if overlap is not None:
+        limit = case.get("run", {}).get("overlap_warning", 0.1)
+        word, tone = ("small", "good") if overlap <= limit else ("large", "bad")
+        rows.append(entry("greatest overlap", f"{overlap:.2g} radii", word, f"small up to {limit:g}: Hertz' law holds for small ones", tone))
+    error = summary["energy"]["balance_error"]
+    if error is not None:
+        rows.append(entry("energy balance", f"{100 * abs(error):.2g} % unaccounted", "for you to judge",
+                          "of the greatest term of the ledger below; falls with the time step, but for what springs of the displacement and force forms create"))  # fmt: skip
+    fullest = max(summary["capacity"].items(), key=lambda item: item[1]["high_water"] / item[1]["limit"] if item[1]["limit"] and item[0] != "memory" else 0)
+    use = fullest[1]
+    rows.append(entry("fixed arrays", f"{fullest[0]}: {number(use['high_water'])} of {number(use['limit'])}", "room enough" if use["high_water"] <= use["limit"] else "too small",
+                      "the fullest one; a run that needs more stops", "good"))  # fmt: skip
+    plug = summary["plug"]
+    if plug and case["particles"]["count"] > 1:
+        found = "no plug" if plug["front_velocity"] is None else (
+            f"front {plug['front_velocity']:.2f} m/s, particles in it {plug['particle_velocity']:.2f} m/s, {plug['length']:.2f} m long, "
+            f"layer area ratio {number(plug['layer_area_ratio'], 2)} (eq. 41: {number(plug['layer_area_ratio_eq41'], 2)})"
+        )  # fmt: skip
+        rows.append(entry("plug", found, verdict(plug), RULE.replace("*", "")))
+    collision = summary["collision"]
+    if collision and collision["restitution"] is not None:
+        asked = case["material"]["restitution"]
+        off = collision["restitution"] - asked
+        rows.append(entry("restitution of the first collision", f"{collision['restitution']:.5f}", f"{off:+.1e} from the case's", f"the case asks for {asked:g} along the normal"))
+    return rows
+
+
+def charts(log):
+    """Those charts whose columns the log has; a column's name in the log is its key on the page, too."""
+    every = [
+        ("Kinetic energy", "J", "log", {"kinetic energy translation [J]": "translation", "kinetic energy rotation [J]": "rotation"}, ""),
+        ("Coordination number", "", "", {"coordination number": "contacts of a particle"}, "Two for a pair, one for a wall, over the particles."),
+        ("Pressure drop over the pipe", "Pa", "", {"pressure drop [Pa]": "pressure drop"}, ""),
+        ("Where the plug is", "m", "points", {"plug front [m]": "front", "plug length [m]": "length"}, "Leaving at one end, the front enters at the other."),
+        ("Velocities", "m/s", "", {"max speed [m/s]": "greatest speed", "plug particle velocity [m/s]": "particles in the plug",
+                                    "mean axial velocity [m/s]": "mean axial"}, ""),
+        ("Stationary layer", "", "", {"layer area ratio": "layer area ratio"}, "Solids fraction outside the plug over that inside."),
+        ("Greatest overlap and time step", "", "log", {"max overlap / radius": "overlap over radius", "time step / stable step": "time step over the stable one"}, ""),
+        ("Energy ledger", "J", "", {"gas work [J]": "work of the gas", "gravity work [J]": "work of gravity", "dissipated by damping [J]": "lost by damping",
+                                    "dissipated by sliding [J]": "lost by sliding", "kinetic": "kinetic", "elastic energy [J]": "elastic"}, ""),
+    ]  # fmt: skip
+    found = []
+    for title, unit, form, lines, note in every:
+        shown = {name: any(v is not None and (v > 0 or form != "log") for v in log.get(name, [])) for name in lines}
+        present = [{"column": name, "label": label} for name, label in lines.items() if shown[name]]
+        if present:
+            found.append({"id": "chart-" + re.sub(r"\W+", "-", title.lower()), "title": title, "unit": unit, "log": form == "log",
+                          "points": form == "points", "lines": present, "note": note})  # fmt: skip
+    return found
+
+
+def ledger(summary, log):
+    """Where the energy came from and where it went, with what is missing in the end."""
+    energy = summary["energy"]
+    if energy["balance_error"] is None:
+        return "<p>The case keeps no energy ledger.</p>"
+    last = {name: values[-1] for name, values in log.items()}
+    start = log["kinetic"][0] + log["elastic energy [J]"][0]
+    came = [("kinetic and elastic at the start", start), ("work of gravity", energy["gravity_work"]), ("work of the gas", energy["gas_work"])]
+    went = [("kinetic", energy["kinetic"]), ("elastic", energy["elastic"]), ("lost by damping", last["dissipated by damping [J]"]),
+            ("lost by sliding", last["dissipated by sliding [J]"])]  # fmt: skip
+    missing = sum(v or 0 for _, v in went) - sum(v or 0 for _, v in came)
+    rows = [(name, "came in", number(value, 4)) for name, value in came if value is not None]
+    rows += [(name, "went out or is there", number(value, 4)) for name, value in went]
+    rows.append(("more than came in" if missing > 0 else "less than came in", "not accounted for", f"{missing:.3g}"))
+    return table("energy ledger", ("over the whole run", "which", "J"), rows)
+
+
+def performance(summary, version):
+    p = summary["performance"]
+    rows = [
+        ("kernel", f"{p['particle_steps_per_second'] / 1e6:.1f} million particle-steps per second"),
+        ("time in the kernel", f"{p['kernel_time']:.2f} s"),
+        ("time with all outputs", f"{p['wall_time']:.2f} s"),
+        ("simulated", f"{summary['final']['time']:.6g} s, {summary['final']['time'] / p['wall_time']:.3g} times as fast as nature" if p["wall_time"] else "-"),
+    ] + [(name, version[name]) for name in ("instruction set", "compiler") if name in version]  # fmt: skip
+    return table("speed", ("speed", "measured"), rows)
+
+
+def capacity(summary):
+    rows = [(name.replace("_", " "), number(use["high_water"]), number(use["limit"])) for name, use in summary["capacity"].items()]
+    return table("fixed arrays", ("array", "greatest use", "room"), rows)
+
+
+def facts(summary, case):
+    """The case as it was written, table by table, and what was compiled in."""
+    rows = []
+    for name, values in case.items():
+        if isinstance(values, dict):
+            words = [f"{key} = {value:g}" if isinstance(value, float) else f"{key} = {value}" for key, value in values.items() if key != "particle"]
+            rows.append((f"[{name}]", escape(", ".join(words) or "particles placed one by one")))
+    rows.append(("compiled in", " ".join(summary["features"]).replace("_", " ") + f", {summary['precision']} precision"))
+    rows.append(("final state", f"hash {summary['final']['state_hash']}"))
+    return table("the case", ("part", "values, SI units"), rows)

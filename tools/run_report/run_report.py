@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+"""One page (HTML, self-contained) about one run, built from what it left in its folder: make report CASE=...
+
+run_folder.py reads, page_content.py words, page_parts.py lays out, player_data.py packs the frames; source/ is bundled into
+page.js and page.css (tools/make/run_report.mk). The page opens from disk and asks no network for anything, which its own
+content security policy enforces.
+"""
+
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from html import escape
+from pathlib import Path
+from string import Template
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
+
+import page_content
+import page_parts
+import player_data
+import run_folder
+
+LARGEST = 15_000_000  # bytes
+OTHER_REPORTS = {"stability.md": "how far the scene is from instability", "frontier.md": "error against run time"}
+
+
+def about_program(program):
+    """What `--version` says, as a dictionary; nothing if there is no program."""
+    if not program or not program.exists():
+        return {}
+    text = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
+    return dict(re.findall(r"^([\w ]+):\s+(.*)$", text, re.M))
+
+
+def map_data(ident, name, title, unit, times, values, length, high=None):
+    rounded = [[float(f"{v:.3g}") for v in row] for row in values]
+    low, top = min(0.0, float(values.min())), float(values.max()) if high is None else high
+    unit_above = " and more" if top < values.max() else ""
+    return {"above": unit_above, "id": ident, "name": name, "title": title, "unit": unit, "times": times, "values": rounded, "low": low, "high": top, "length": length}
+
+
+def maps(pipe, diameter, frames):
+    slices = run_folder.slices_of(pipe, diameter, frames)
+    times = [round(float(time), 9) for time in frames["times"]]
+    solids = run_folder.solids_fraction(pipe, diameter, frames, slices)
+    found = [map_data("map-solids", "solids fraction", "Solids fraction", "", times, solids, pipe["length"])]
+    if frames["pressure_gradient"] is not None:
+        gradient = run_folder.gradient_by_slices(frames, slices)
+        found.append(map_data("map-gradient", "pressure gradient", "Pressure gradient of the gas", "Pa/m", times, gradient, pipe["length"], float(np.percentile(gradient, 99))))
+    return found
+
+
+def directions(case):
+    gravity = case.get("run", {}).get("gravity", [0, -9.81, 0])
+    down = max(range(3), key=lambda k: abs(gravity[k]))
+    words = (("towards the viewer", "away from the viewer"), ("downwards", "upwards"), ("to the left", "to the right"))[down][gravity[down] > 0]
+    text = f"Seen from the side, gravity points {words}" if any(gravity) else "There is no gravity"
+    if "gas" in case:
+        text += f"; the gas flows to the {'right' if case['gas']['bulk_velocity'] >= 0 else 'left'}"
+    return text + "."
+
+
+def links(run, page, case_name, reports):
+    here = page.parent
+    files = [("summary.json", "the figures of this page"), ("log.csv", "every row of the charts"), ("frames.pvd", "for ParaView")]
+    found = [(run / name, text) for name, text in files] + [(reports / case_name / name, text) for name, text in OTHER_REPORTS.items()]
+    items = [f'<li><a href="{escape(os.path.relpath(path, here))}">{path.name}</a>: {text}</li>' for path, text in found if path.exists()]
+    return f"<ul>{''.join(items)}</ul>"
+
+
+def build(arguments):
+    run = arguments.run
+    summary, log = run_folder.read_summary(run), run_folder.read_log(run)
+    case = tomllib.loads(arguments.case.read_text())
+    version = about_program(arguments.program)
+    log["kinetic"] = [a + b for a, b in zip(log["kinetic energy translation [J]"], log["kinetic energy rotation [J]"])]
+    frames = run_folder.read_frames(run)
+    pipe = {"diameter": case["pipe"]["diameter"], "length": case["pipe"]["length"], "periodic": case["pipe"]["ends"] == "periodic"}
+    data = {
+        "end": log["time [s]"][-1], "radius": case["particles"]["diameter"] / 2, "pipe": pipe, "directions": directions(case),
+        "log": {"time": "time [s]", "columns": log}, "charts": page_content.charts(log), "maps": [], "frames": None,
+    }  # fmt: skip
+    packed, player = "", "<h2>The particles</h2><p>The run wrote no frames: set frame_interval in [output] of the case.</p>"
+    if frames:
+        data["frames"], packed = player_data.pack(frames["times"], frames["position"], frames["velocity"], frames["contacts"], arguments.budget)
+        data["maps"] = maps(pipe, case["particles"]["diameter"], frames)
+        player = page_parts.player(data, data["frames"])
+    stale = summary["case_hash"] not in version.get("case", summary["case_hash"])
+    about = f"Case {summary['case']}, {summary['integrator']} at {summary['time_step']:g} s"
+    about += "; the case file has been changed since this run" if stale else ""
+    page = Template((Path(__file__).parent / "source" / "page.html").read_text()).substitute(
+        case=escape(summary["case"]),
+        title=escape(case.get("title", summary["case"])),
+        about=about + ".",
+        style=(arguments.bundle / "page.css").read_text(),
+        verdicts=page_parts.verdict_table(page_content.verdicts(summary, log, case)),
+        player=player,
+        charts=page_parts.charts(data["charts"]),
+        maps=page_parts.maps(data["maps"]) if data["maps"] else "",
+        ledger="<h2>Energy</h2>" + page_content.ledger(summary, log),
+        performance=page_content.performance(summary, version),
+        capacity=page_content.capacity(summary),
+        facts=page_content.facts(summary, case),
+        links=links(run, arguments.page, summary["case"], arguments.reports),
+        data=json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
+        frames=packed,
+        script=(arguments.bundle / "page.js").read_text(),
+    )
+    size = len(page.encode())
+    if size > LARGEST:
+        raise SystemExit(f"fixdem: the page would be {size / 1e6:.1f} MB, more than {LARGEST / 1e6:.0f}: write the log less often")
+    arguments.page.write_text(page)
+    print(f"{arguments.page}: {size / 1e6:.2f} MB" + (f", {len(data['frames']['times'])} frames of {data['frames']['particles']} particles" if frames else ""))
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    arguments.add_argument("run", type=Path, help="folder of a run")
+    arguments.add_argument("page", type=Path, help="where to write")
+    arguments.add_argument("--case", type=Path, required=True, help="the case file")
+    arguments.add_argument("--program", type=Path, help="the program of the case, for what was compiled into it")
+    arguments.add_argument("--bundle", type=Path, required=True, help="folder of page.js and page.css")
+    arguments.add_argument("--reports", type=Path, default=Path("bench/reports"), help="folder of other reports, to be linked")
+    arguments.add_argument("--budget", type=int, default=player_data.BUDGET, help="bytes for the frames, packed")
+    build(arguments.parse_args())
+
+
+if __name__ == "__main__":
+    main()
