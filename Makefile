@@ -56,14 +56,11 @@ run:  ## build and run CASE, and first the case it starts from; results in OUT; 
 	$(needs) run
 	$(files) build-program
 	$(files) start-state
-	@$(read_start); $(call run_case,$(OUT)) $(resume)$(if $(RESUME),,$(if $(filter $(usual),$(OUT)),; $(leave_mark)))
+	@$(read_start); $(call run_case,$(OUT)) $(resume) $(watching)$(if $(RESUME),,$(if $(filter $(usual),$(OUT)),; $(leave_mark)))
 
 .PHONY: watch
-watch:  ## the same with a live picture of the pipe in the terminal instead of the table
-	$(needs) run
-	$(files) build-program
-	$(files) start-state
-	@$(read_start); $(call run_case,$(OUT)) --watch$(if $(filter $(usual),$(OUT)),; $(leave_mark))
+watch: watching := --watch
+watch: run  ## the same with a live picture of the pipe in the terminal instead of the table
 
 .PHONY: test
 test:  ## build and run every test; ends with "N passed, M failed"

@@ -71,6 +71,9 @@ if (expected.pressure_drop !== null)
     Math.abs(map[1].last.reduce((a, b) => a + b) / map[1].last.length * expected.pipe_length / expected.pressure_drop - 1) < 0.01);
 
 // It draws, and time moves it.
+await page.waitForTimeout(500);
+const renderings = await page.evaluate(() => fixdem.player.scene.renderer.info.render.frame);
+check('no more pictures are rendered than are shown', renderings <= 5, renderings);
 const first = await pixels();
 check('the player draws', first.drawn > 0.01 && first.colours > 50, `${(100 * first.drawn).toFixed(1)} % of the pixels, ${first.colours} colours`);
 check('... the same when nothing changes', (await pixels()).changed === 0);

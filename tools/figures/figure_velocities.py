@@ -45,7 +45,7 @@ def fig_11(run, plug_at, pipe, out):
                 f"set title '{name}, {time:.2f} s'\nset size ratio -1\nset xrange [0:{length_mm}]\nset yrange [{-r}:{1.5 * r}]\nset ytics {-r},{r},{r}\n"
                 f"set xlabel 'along the pipe, mm'\nset ylabel 'height, mm'\nunset key\nset label 1 '1 m/s' at {0.87 * length_mm},{1.25 * r} right\n"
                 f"set arrow 1 from {0.88 * length_mm},{1.25 * r} to {0.88 * length_mm + MILLIMETRES_PER_SPEED},{1.25 * r} size 5,20 filled linewidth 1.5\n"
-                f"plot {r} with lines linecolor '#888888', '{data.file(np.column_stack(rows))}' using 1:2:3:4 with vectors filled size 5,20 linewidth 1 linecolor 'black'"
+                f"plot {r} with lines linecolor '#888888', '{data.file(np.column_stack(rows))}' using 1:2:3:4 with vectors filled size 5,20 linewidth 1 linecolor 'black' title 'velocities'"
             )
         script.append("unset multiplot")
         gnuplot("\n".join(script), out / "fig_11", 1400, 460)

@@ -7,12 +7,14 @@ page_bundle := $(page_folder)/page
 page_sources := $(wildcard tools/run_report/source/*.js tools/run_report/source/*.css)
 npm := npm --prefix $(page_folder) --no-audit --no-fund --ignore-scripts --loglevel=error
 
+# What tests need, once it is there, stays.
+with_tests = $(if $(findstring tests,$(1)),$(1),$(wildcard $(page_folder)/installed-for-tests))
 $(page_folder)/installed $(page_folder)/installed-for-tests: tools/run_report/package-lock.json
 	@mkdir -p $(page_folder)
 	$(call say,fetch the npm packages that the page is made with)
 	$(quiet)cp tools/run_report/package.json tools/run_report/package-lock.json tools/run_report/.npmrc $(page_folder)
-	$(quiet)$(npm) ci $(if $(findstring tests,$@),,--omit=dev) >&2
-	@touch $(page_folder)/installed $@
+	$(quiet)$(npm) ci $(if $(call with_tests,$@),,--omit=dev) >&2
+	@touch $(page_folder)/installed $(call with_tests,$@)
 
 $(page_bundle)/page.js: $(page_sources) tools/run_report/package-lock.json | $(page_folder)/installed
 	$(call say,bundle the page)

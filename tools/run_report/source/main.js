@@ -20,7 +20,7 @@ for (const map of run.maps) drawMap(map, clock);
 
 const repaint = () => {
   charts.forEach((chart) => chart.redraw());
-  page.player?.scene.draw();
+  page.player?.scene.request();
 };
 byId('theme').addEventListener('change', () => {
   const theme = byId('theme').value;

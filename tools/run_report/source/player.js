@@ -48,7 +48,7 @@ export class Player {
     byId('colour').addEventListener('change', () => this.choose());
     byId('cut').addEventListener('change', () => {
       this.scene.uniforms.cut.value = byId('cut').checked;
-      this.scene.draw();
+      this.scene.request();
     });
     for (const button of document.querySelectorAll('[data-view]'))
       button.addEventListener('click', () => this.scene.view(button.dataset.view));

@@ -77,7 +77,7 @@ export class Scene {
 
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
-    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('change', () => this.request());
     this.view('side');
   }
 
@@ -109,7 +109,7 @@ export class Scene {
       this.camera.updateMatrixWorld();
     } while (!this.corners().every((corner) => Math.abs(corner.project(this.camera).x) < 0.97 && Math.abs(corner.y) < 0.92));
     this.lastView = name;
-    this.draw();
+    this.request();
   }
 
   // Of the box around the pipe.
@@ -128,7 +128,7 @@ export class Scene {
     this.camera.position.setFromSpherical(place.makeSafe()).add(this.controls.target);
     this.lastView = '';
     this.controls.update();
-    this.draw();
+    this.request();
   }
 
   resize(width, height) {
@@ -136,17 +136,24 @@ export class Scene {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     if (this.lastView) this.view(this.lastView);
-    else this.draw();
+    else this.request();
   }
 
   update() {
     this.geometry.getAttribute('centre').needsUpdate = true;
     this.geometry.getAttribute('share').needsUpdate = true;
-    this.draw();
+    this.request();
+  }
+
+  // However many things have changed, one picture for each that the screen shows.
+  request() {
+    if (this.requested) return;
+    this.requested = true;
+    requestAnimationFrame(() => this.draw());
   }
 
   draw() {
-    if (!this.controls) return;
+    this.requested = false;
     this.scene.background = new three.Color(pageColour('stage'));
     this.lines.color = new three.Color(pageColour('ink'));
     this.renderer.render(this.scene, this.camera);
