@@ -102,7 +102,7 @@ inline void check_program(program::SimulationView& view, program::CaseFacts fact
   CHECK_FALSE(state.complete);
   CHECK_FALSE(std::filesystem::exists(options.out / "final.fixdem"));
 
-  const Snapshot snapshot = take_snapshot(view, facts.particle_count);
+  const Snapshot snapshot = take_snapshot(view, facts.particle_count, facts.has_gas ? facts.slice_count : 0);
   const auto around = neighbourhood(facts, snapshot, fault.particle);
   CHECK(read_bytes(options.out / "fault.vtp") == encode_vtp(snapshot, facts.radius(), around));
   if (fault.particle >= 0) CHECK(std::count(around.begin(), around.end(), fault.particle) == 1);
