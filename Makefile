@@ -37,6 +37,7 @@ include tools/make/embedded.mk
 include tools/make/footprint.mk
 include tools/make/frontier.mk
 include tools/make/fuzz.mk
+include tools/make/check.mk
 include tools/make/run_report.mk
 include tools/make/figures.mk
 
@@ -197,10 +198,11 @@ frontier:  ## error against run time for CASE: bench/reports/CASE/frontier.md; Q
 	  --out $(if $(QUICK),$(frontier)/report,bench/reports/$(case_name))
 
 .PHONY: check
-check:  ## formatting, clang-tidy, and the tests under address and undefined-behaviour sanitizers
+check:  ## formatting, clang-tidy, cppcheck, uninitialised memory, and the tests under sanitizers
 	$(needs) run test check
 	@clang-format --dry-run -Werror $(sources)
-	$(files) build-tidy
+	$(files) build-tidy build-checked
+	@$(MAKE) check-valgrind $(if $(filter x86_64 amd64,$(machine)),ARCH=x86-64-v3)
 	@$(MAKE) test SAN=1
 
 .PHONY: format
