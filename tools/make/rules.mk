@@ -100,7 +100,7 @@ test_include = $(if $(filter $(optimised_objects) %/main.o,$@),,-include $(preco
 $(precompiled).gch: tests/precompiled.hpp tools/make/variant.mk
 	@mkdir -p $(@D)
 	$(call say,compile $<)
-	$(quiet)cp $< $(precompiled)
+	$(quiet)grep -v '^#pragma once' $< > $(precompiled)
 	$(quiet)$(CXX) $(test_flags) $(test_defines) -x c++-header -c $(precompiled) -o $@
 
 $(optimised_objects): test_flags := $(test_flags) -O1
