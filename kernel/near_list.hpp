@@ -56,7 +56,6 @@ struct NearList {
 
   /// Whether some pair or wall of the range could touch unlisted. A NaN counts as yes.
   bool is_broken(int range) const {
-    if (range < 0) __builtin_unreachable();  // gcc 12 peels loops of a single chunk and then warns of range -1
     const Promise& p = promise[range];
     const int chunks = Cap::chunks;
     if (D::is_periodic && range == chunks) {
@@ -66,7 +65,7 @@ struct NearList {
       return !(owners + partners <= p.margin);
     }
     const double own = way[range] - p.own_way;
-    const double other = range + 1 < chunks ? way[range + 1] - p.other_way : 0;
+    const double other = chunks > 1 && range + 1 < chunks ? way[range + 1] - p.other_way : 0;
     return !(own + max(own, other) <= p.margin);
   }
 

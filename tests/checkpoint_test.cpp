@@ -2,17 +2,15 @@
 #include "tools/run/checkpoint.hpp"
 
 #include <doctest/doctest.h>
-#include <xxhash.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "program_run.hpp"
 #include "tools/run/failure.hpp"
 #include "tools/run/result_folder.hpp"
+#include "with_checksum.hpp"
 
 using namespace fixdem::tests;
 using namespace fixdem::program;
@@ -41,12 +39,6 @@ std::string refusal(Call&& call) {
     return failure.what();
   }
   return "";
-}
-
-std::string with_checksum(std::string bytes) {
-  const std::uint64_t sum = XXH64(bytes.data(), bytes.size() - 8, 0);
-  std::memcpy(bytes.data() + bytes.size() - 8, &sum, 8);
-  return bytes;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "guarded.hpp"
+#include "loop_end.hpp"
 #include "program_run.hpp"
 #include "scenes.hpp"
 #include "tools/run/case_adapter.hpp"
@@ -17,7 +18,6 @@
 #include "tools/run/neighbourhood.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/state_file.hpp"
-#include "tools/run/time_loop.hpp"
 
 namespace fixdem::tests {
 
@@ -72,13 +72,7 @@ inline void check_program(program::SimulationView& view, program::CaseFacts fact
   options.out = scratch("fault");
   options.duration = 1, options.quiet = true;
   prepare_folder(options.out);
-  int code = 0;
-  std::string message;
-  try {
-    code = TimeLoop(view, facts, options).run();
-  } catch (const Failure& failure) {
-    code = failure.code(), message = failure.what();
-  }
+  const auto [code, message] = end_of_loop(view, facts, options);
   CAPTURE(message);
   CHECK(code == (fault_exit_code(fault.fault)));
   CHECK((code == exit_capacity || code == exit_unstable));

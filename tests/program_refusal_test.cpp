@@ -4,20 +4,18 @@
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdint>
-#include <cstring>
 #include <string>
 #include <thread>
 
 #include "program_run.hpp"
 #include "program_start.hpp"
 #include "tools/run/result_folder.hpp"
+#include "with_checksum.hpp"
 
 using namespace fixdem::tests;
 using fixdem::program::decode_state;
@@ -60,13 +58,6 @@ namespace {
 ProgramRun start_from(const std::string& bytes, const char* name) {
   write_bytes(scratch("start.fixdem"), bytes);
   return run_program("plug_u24_n500", name, "--duration 0.0002 --start-state " + shell_word(scratch("start.fixdem")));
-}
-
-/// Makes the checksum right again after a change, so that the change itself must be noticed.
-std::string with_checksum(std::string bytes) {
-  const std::uint64_t sum = XXH64(bytes.data(), bytes.size() - 8, 0);
-  std::memcpy(bytes.data() + bytes.size() - 8, &sum, 8);
-  return bytes;
 }
 
 }  // namespace

@@ -11,14 +11,15 @@
 #include <string>
 
 #include "cases/settle.hpp"
+#include "loop_end.hpp"
 #include "program_run.hpp"
 #include "tools/run/failure.hpp"
 #include "tools/run/result_folder.hpp"
-#include "tools/run/time_loop.hpp"
 
 using namespace fixdem;
 using namespace fixdem::program;
 using fixdem::tests::contains;
+using fixdem::tests::end_of_loop;
 using fixdem::tests::read_bytes;
 using fixdem::tests::scratch;
 
@@ -161,13 +162,8 @@ TEST_CASE("a fault that cannot be gone back from is reported, and no good state 
   options.duration = 0.1, options.quiet = true;
   prepare_folder(options.out);
   Failing view;
-  std::string message;
-  try {
-    TimeLoop(view, facts, options).run();
-  } catch (const Failure& failure) {
-    CHECK(failure.code() == exit_unstable);
-    message = failure.what();
-  }
+  const auto [code, message] = end_of_loop(view, facts, options);
+  CHECK(code == exit_unstable);
   CHECK(contains(message, "particle 3 moves 0.8 radii in one step (limit 0.5)"));
   CHECK_FALSE(contains(message, "good"));
   CHECK(nlohmann::json::parse(read_bytes(options.out / "summary.json"))["status"] == "too_fast");
@@ -186,13 +182,7 @@ TEST_CASE("stability watch: a run whose step is far too large ends with 5, says 
     std::filesystem::remove_all(options.out);
     prepare_folder(options.out);
     Standing view(touching_from);
-    int code = 0;
-    std::string message;
-    try {
-      code = TimeLoop(view, facts, options).run();
-    } catch (const Failure& failure) {
-      code = failure.code(), message = failure.what();
-    }
+    const auto [code, message] = end_of_loop(view, facts, options);
     CHECK(code == exit_unstable);
     const std::string step = touching_from == 0 ? "0" : "300";  // the first row of the log that sees them
     CHECK(contains(message, "stopped at step " + step + ":"));

@@ -1,9 +1,6 @@
 // Any bytes as a state file or a checkpoint.
-#include <xxhash.h>
-
-#include <cstring>
-
 #include "targets.hpp"
+#include "tests/with_checksum.hpp"
 #include "tools/run/checkpoint.hpp"
 #include "tools/run/failure.hpp"
 #include "tools/run/state_file.hpp"
@@ -13,13 +10,8 @@ namespace {
 
 /// Without its first byte, which says whether the checksum is to be put right.
 std::string file_of(std::string_view bytes) {
-  std::string file(bytes.substr(1));
-  constexpr std::size_t sum_size = sizeof(XXH64_hash_t);
-  if (bytes[0] % 2 != 0 && file.size() >= sum_size) {
-    const XXH64_hash_t sum = XXH64(file.data(), file.size() - sum_size, 0);
-    std::memcpy(file.data() + file.size() - sum_size, &sum, sum_size);
-  }
-  return file;
+  const std::string file(bytes.substr(1));
+  return bytes[0] % 2 != 0 ? with_checksum(file) : file;
 }
 
 /// `read_again` reads what it is given and returns it as it would be written.

@@ -19,6 +19,7 @@
 #include "gas_reference.hpp"
 #include "impulse_reference.hpp"
 #include "near_pairs.hpp"
+#include "reference_state.hpp"
 #include "seen_reference.hpp"
 
 namespace fixdem::reference {
@@ -110,22 +111,8 @@ class Reference {
 
  private:
   using Key = std::pair<int, int>;
-
-  struct Sphere {
-    Vector3 x = Vector3::Zero(), v = Vector3::Zero(), omega = Vector3::Zero();
-    Vector3 force = Vector3::Zero(), torque = Vector3::Zero();  ///< of contacts, this step
-    Vector3 gas_force = Vector3::Zero();                        ///< held between updates of the gas
-    Vector3 acceleration = Vector3::Zero();                     ///< of the step before
-    bool floats = false;
-  };
-
-  struct Touching {
-    Memory<Scalar> memory;
-    ContactForce<Scalar> force;
-    Vector3 n = Vector3::Zero();
-    Scalar overlap = 0;
-    long long last_step = -1;
-  };
+  using Sphere = SphereState<Scalar>;
+  using Touching = ContactState<Scalar>;
 
   static Vector3 from_array(const double a[3]) { return {Scalar(a[0]), Scalar(a[1]), Scalar(a[2])}; }
 

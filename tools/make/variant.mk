@@ -18,7 +18,7 @@ bench_libraries := -lbenchmark -lpthread
 # after scope in 111 s and 1.9 s, at -O0 in 32 s and 28 s.
 sanitizers := $(if $(SAN),-fsanitize=address -fsanitize=undefined -fno-sanitize=null -fno-sanitize=alignment \
   -fno-sanitize=object-size -fno-sanitize-address-use-after-scope -fno-sanitize-recover=all)
-warnings := -Wall -Wextra -Wconversion -Wshadow
+warnings := -Wall -Wextra -Wconversion -Wshadow $(if $(SAN),-Werror)
 # gcc looks for garbage of its own from 400 MB on instead of 100 MB: files that instantiate the kernel, which take 500 MB
 # then and 400 MB else, compile in a sixth less time.
 collect_later := $(if $(findstring clang,$(CXX)),,--param ggc-min-heapsize=400000)
