@@ -119,8 +119,8 @@ fuzz:  ## throw hostile cases, state files and particles at the readers and the 
 .PHONY: golden
 golden:  ## pin the final states of all cases anew (tests/golden/) and print what has changed
 	$(needs) run test
-	$(files) build-tests
-	@FIXDEM_RENEW_GOLDEN=1 $(build)/tests --test-case='golden*' --no-intro
+	$(files) build-golden
+	@FIXDEM_RENEW_GOLDEN=1 FIXDEM_GOLDEN_ALL='$(golden_all)' $(build)/tests --test-case='golden*' --no-intro
 
 .PHONY: cases
 cases:  ## build the program of every case in cases/ and list them
@@ -198,10 +198,12 @@ frontier:  ## error against run time for CASE: bench/reports/CASE/frontier.md; Q
 	  --out $(if $(QUICK),$(frontier)/report,bench/reports/$(case_name))
 
 .PHONY: check
-check:  ## formatting, clang-tidy, cppcheck, uninitialised memory, and the tests under sanitizers
+check:  ## formatting, clang-tidy, cppcheck, uninitialised memory, all pinned states, and the tests under sanitizers
 	$(needs) run test check
 	@clang-format --dry-run -Werror $(sources)
 	$(files) build-tidy build-checked
+	$(files) build-golden
+	@FIXDEM_GOLDEN_ALL='$(golden_all)' $(build)/tests --test-case='golden*' --no-intro
 	@$(MAKE) check-valgrind $(if $(filter x86_64 amd64,$(machine)),ARCH=x86-64-v3)
 	@$(MAKE) test SAN=1
 

@@ -16,9 +16,13 @@ $(startup): tools/embedded/startup.cpp tools/embedded/console.hpp tools/make/emb
 	$(call say,compile $<)
 	$(quiet)$(board_compiler) -std=c++20 $(warnings) -I. -O2 -fno-tree-loop-distribute-patterns $(board_flags) -c $< -o $@
 
-# How a program is compiled for instruction set $(1), up to the sources: compiler, architecture, lanes, optimisation.
+$(build)/identical/cortex-m7: $(startup) $(board_script)
+
+# How a program is compiled as variant $(1), up to the sources: compiler, optimisation, architecture, lanes. An instruction set
+# other than this machine's is compiled with -O1, the board with -O2; `optimised` (rules.mk) are for this machine's.
+level_of = -$(or $(patsubst clang-%,%,$(filter $(optimised),$(1))),$(if $(filter native,$(1)),O3,O1))
 variant_compiler = $(if $(filter cortex-m7,$(1)),$(board_compiler) $(board_flags) -O2,$(if $(filter aarch64,$(1)),$(cross_compiler) \
-  -static,$(CXX)) $(if $(filter native,$(1)),-O3,-O1) $(call arch_of,$(1)) \
+  -static,$(if $(filter clang-%,$(1)),clang++,$(CXX))) $(level_of) $(call arch_of,$(if $(filter $(optimised),$(1)),native,$(1))) \
   $(call lanes_of,$(patsubst lanes%,%,$(filter lanes%,$(1:scalar=lanes1))))) -std=c++20 $(warnings) -I. $(math_rules)
 # What is linked to it, and what the linker says about the board's memory.
 variant_link = $(if $(filter cortex-m7,$(1)),$(board_link) $(startup) -lgcc > $(2).memory)

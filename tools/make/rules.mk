@@ -21,11 +21,14 @@ case_bench := $(case_build)/bench-case/$(case_name)
 results = out/$(1)$(if $(SEED),-seed$(SEED))
 OUT ?= $(call results,$(case_name))
 
-.PHONY: build-program build-cases build-tests build-bench build-peers build-tidy
+.PHONY: build-program build-cases build-tests build-golden build-bench build-peers build-tidy
 build-program: $(case_program)
 build-cases: $(case_names:%=$(build)/bin/%)
-precision_programs := $(foreach p,$(golden_precisions),$(golden_cases:%=$(build)/precision/$p/%))
-build-tests: build-cases $(precision_programs) $(build)/tests
+mixed_cases := $(basename $(notdir $(shell grep -l '^precision *= *"mixed"' cases/*.toml)))
+golden_all := $(addprefix mixed/,$(filter-out $(mixed_cases),$(case_names))) $(addprefix double/,$(mixed_cases))
+precision_programs := $(golden_all:%=$(build)/precision/%)
+build-tests: build-cases $(golden_some:%=$(build)/precision/%) $(build)/tests
+build-golden: build-cases $(precision_programs) $(build)/tests
 build-bench: $(build)/bench
 
 # casegen, and the library that all programs share.
@@ -115,14 +118,15 @@ $(build)/tests: $(test_objects) $(run_objects) $(filter-out %/main.o,$(casegen_o
 	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -o $@
 
 # The scenes that must be identical, once for each instruction set: `native` as programs are compiled, the others at a
-# lower level of optimisation, which must not matter either. `make test` compares this machine's with the same pinned hashes
-# (tests/lanes_test.cpp), `make identical` all of them. They are never built with sanitizers.
+# lower level of optimisation, which must not matter either; then for this machine at other levels, by clang, too.
+# `make test` compares this machine's with the same pinned hashes (tests/lanes_test.cpp), `make identical` all of them.
+# They are never built with sanitizers.
 is_x86 := $(filter x86_64 amd64,$(machine))
-identical_all := native scalar lanes2 $(if $(is_x86),x86-64) $(if $(is_x86),x86-64-v3 x86-64-v4 $(if $(filter Linux,$(shell uname -s)),aarch64 cortex-m7))
+optimised := O1 O2 clang-O1 clang-O2 clang-O3
+identical_all := native scalar lanes2 $(if $(is_x86),x86-64 x86-64-v3 x86-64-v4 $(if $(filter Linux,$(shell uname -s)),$(optimised) aarch64 cortex-m7))
 cross_compiler := aarch64-linux-gnu-g++
 .PHONY: build-identical
 build-identical: $(identical_all:%=$(build)/identical/%)
-$(build)/identical/cortex-m7: $(startup)
 $(identical_all:%=$(build)/identical/%): $(build)/identical/%: tests/identical/main.cpp tools/make/variant.mk tools/make/embedded.mk \
   | $(build)/cases/plug_u24.hpp $(build)/cases/settle.hpp
 	@mkdir -p $(@D)
