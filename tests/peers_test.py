@@ -13,12 +13,13 @@ from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(root / "tools" / "peers"))
+sys.path[:0] = [str(root / "tools" / "peers"), str(root / "tools" / "report")]
 
 import report  # noqa: E402
 from case_values import law_of, read_case  # noqa: E402
 from checking import Check, check_bed, worst  # noqa: E402
 from derived_cases import derived, with_value  # noqa: E402
+from marked_part import MarkedPart  # noqa: E402
 from peer_inputs import Stretch, data_file, script, tsuji_argument, tsuji_polynomial  # noqa: E402
 from states import Observed, State, count_contacts, read_dump, read_final  # noqa: E402
 
@@ -198,10 +199,10 @@ class Verdicts(WithFolder):
 
     def test_a_readme_without_marks_is_refused_and_one_with_keeps_the_rest(self):
         with self.assertRaisesRegex(SystemExit, "no line"):
-            report.check_marks(self.file(f"{report.END}\n{report.BEGIN}\n"))
-        path = self.file(f"a\n{report.BEGIN}\nold\n{report.END}\nb\n{report.END}\n")
-        report.write_readme(path, "new")
-        self.assertEqual(path.read_text(), f"a\n{report.BEGIN}\nnew\n{report.END}\nb\n{report.END}\n")
+            MarkedPart(self.file("<!-- end -->\n<!-- peers -->\n"), "peers")
+        path = self.file("a\n<!-- peers -->\nold\n<!-- end -->\nb\n<!-- end -->\n")
+        MarkedPart(path, "peers").write("new\n")
+        self.assertEqual(path.read_text(), "a\n<!-- peers -->\nnew\n<!-- end -->\nb\n<!-- end -->\n")
 
 
 def main():

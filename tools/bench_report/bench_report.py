@@ -12,10 +12,13 @@ import json
 import re
 import statistics
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
-BEGIN, END = "<!-- speed table -->", "<!-- end -->"
+sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
+from marked_part import MarkedPart
+
 HERE = Path(__file__).parent
 STAGES_OF_BED = ["pair", "wall", "motion", "near_list"]  # of step/bed/1000; gas stages belong to the plug
 
@@ -98,15 +101,6 @@ def head_table(figures, context):
     return "\n".join(lines)
 
 
-def split_at_marks(file):
-    """What stands before and behind the part of a file that is written here."""
-    text = file.read_text()
-    end = text.find(END, text.find(BEGIN))
-    if not 0 <= text.find(BEGIN) < end:
-        raise SystemExit(f"{file}: no line {BEGIN} followed by a line {END}")
-    return text[: text.index(BEGIN) + len(BEGIN)], text[end:]
-
-
 def breakdown(figures, precision):
     """Cycles per particle-step of the bed of 1000: its stages, what is left over, the whole and the bound."""
     names = {stage: f"stage/{stage}/1000/{precision}" for stage in STAGES_OF_BED}
@@ -183,11 +177,10 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("json", type=Path, nargs="+", help="Google Benchmark's JSON of one run each")
     arguments.add_argument("--reports", type=Path, required=True, help="folder for speed.md, speed.csv and speed.svg")
-    arguments.add_argument("--readme", type=Path, required=True, help=f"file with a line {BEGIN} and a later line {END}")
+    arguments.add_argument("--readme", type=Path, required=True, help="file with the marks of the speed table")
     arguments.add_argument("--head", type=Path, required=True, help="another such file, for the few figures that say most")
     chosen = arguments.parse_args()
-    before, after = split_at_marks(chosen.readme)
-    before_head, after_head = split_at_marks(chosen.head)
+    part, head = MarkedPart(chosen.readme, "speed table"), MarkedPart(chosen.head, "speed table")
 
     figures, context = read(chosen.json)
     chosen.reports.mkdir(parents=True, exist_ok=True)
@@ -197,8 +190,8 @@ def main():
     table_text = table(figures, context, runs)
     stages = "\n".join(filter(None, (breakdown_text(breakdown(figures, p), p) for p in precisions(figures))))
     (chosen.reports / "speed.md").write_text(f"# Speed\n\n{table_text}\n\n{stages}\n![Speed](speed.svg)\n")
-    chosen.readme.write_text(f"{before}\n{table_text}\n\n{stages}{after}")
-    chosen.head.write_text(f"{before_head}\n{head_table(figures, context)}\n{after_head}")
+    part.write(f"{table_text}\n\n{stages}")
+    head.write(head_table(figures, context))
     print(table_text, stages, sep="\n\n")
 
 

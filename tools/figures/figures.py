@@ -17,9 +17,9 @@ from figure_plug_velocity import fig_13, fig_15
 from figure_settling import fig_7, fig_8
 from figure_side_views import fig_10, fig_12, fig_14
 from figure_velocities import fig_11
+from marked_part import MarkedPart
 from plug_runs import PlugRuns
 
-BEGIN, END = "<!-- gallery -->", "<!-- end gallery -->"
 IMPACTS, SETTLING, PLUGS = {3, 4}, {7, 8}, {10, 11, 12, 13, 14, 15}
 
 
@@ -81,7 +81,7 @@ def gallery(captions):
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    arguments.add_argument("readme", type=Path, help=f"file with a line {BEGIN} and a later line {END}")
+    arguments.add_argument("readme", type=Path, help="file with the marks of the gallery")
     arguments.add_argument("--out", type=Path, required=True, help="folder of the pictures")
     arguments.add_argument("--cases", type=Path, default=Path("cases"))
     arguments.add_argument("--programs", type=Path, required=True, help="folder of the built programs")
@@ -93,17 +93,13 @@ def main():
     arguments.add_argument("--only", type=int, nargs="+", default=sorted(IMPACTS | SETTLING | PLUGS), help="draw only these and leave the gallery's text alone")
     chosen = arguments.parse_args()
 
-    text = chosen.readme.read_text()
-    if not 0 <= text.find(BEGIN) < text.find(END):
-        raise SystemExit(f"{chosen.readme}: no line {BEGIN} followed by a line {END}")
+    part = MarkedPart(chosen.readme, "gallery")
     chosen.out.mkdir(parents=True, exist_ok=True)
     captions = draw(chosen)
     for number, (title, words) in sorted(captions.items()):
         print(f"\nFig. {number}: {title}\n{words}")
     if set(captions) == IMPACTS | SETTLING | PLUGS:
-        text = chosen.readme.read_text()  # minutes later: it may have been changed meanwhile
-        before, after = text[: text.index(BEGIN) + len(BEGIN)], text[text.index(END) :]
-        chosen.readme.write_text(f"{before}\n{gallery(captions)}{after}")
+        part.write(gallery(captions))
 
 
 if __name__ == "__main__":

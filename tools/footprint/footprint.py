@@ -2,11 +2,13 @@
 """Measures the stripped scene and every case, and rewrites the two tables in kernel/README.md: make footprint."""
 
 import argparse
+import sys
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
+from marked_part import MarkedPart
 from measuring import Calls, instructions_per_particle_step, output, size
 
-BEGIN, END = "<!-- footprint -->", "<!-- end of footprint -->"
 STRIPS = ["everything", "without_gas", "without_friction", "without_wall", "without_ends", "without_ledger", "pairs_only"]
 
 
@@ -66,12 +68,10 @@ def main():
     parser.add_argument("--readme", type=Path, required=True)
     parser.add_argument("cases", nargs="+")
     options = parser.parse_args()
+    part = MarkedPart(options.readme, "footprint")
     text = "\n".join(tables(options.strips, options.cases, options.programs, options.headers))
     print(text)
-    readme = options.readme.read_text()
-    before, rest = readme.split(BEGIN)
-    after = rest.split(END)[1]
-    options.readme.write_text(f"{before}{BEGIN}\n{text}\n{END}{after}")
+    part.write(text)
 
 
 if __name__ == "__main__":

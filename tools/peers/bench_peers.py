@@ -15,9 +15,11 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parent.parent / "report"))
 import report
 from case_values import law_of, read_case
 from checking import check_agitated, check_bed, check_law
+from marked_part import MarkedPart
 from peer_inputs import Stretch
 from running import Fixdem, Peer
 from states import State, observe, read_final
@@ -146,8 +148,7 @@ def main():
     chosen = arguments.parse_args()
     if chosen.runs < 1:
         arguments.error("--runs: one or more")
-    if chosen.readme:
-        report.check_marks(chosen.readme)
+    part = MarkedPart(chosen.readme, "peers") if chosen.readme else None
 
     fixdem = Fixdem(chosen.programs, chosen.core, chosen.out / "fixdem")
     commands = {"lammps": found(chosen.lmp), "liggghts": found(chosen.liggghts)}
@@ -170,8 +171,8 @@ def main():
     print("\nall comparisons of law and result agree within their bounds")
     if chosen.json:
         report.write_json(chosen.json, rows)
-    if chosen.readme:
-        report.write_readme(chosen.readme, text)
+    if part:
+        part.write(text)
 
 
 if __name__ == "__main__":

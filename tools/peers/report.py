@@ -1,12 +1,10 @@
-"""Figures of many runs as a table, as JSON, and between the marks of bench/README.md."""
+"""Figures of many runs as a table and as JSON."""
 
 import json
 import platform
 import re
 from dataclasses import dataclass
 from pathlib import Path
-
-BEGIN, END = "<!-- peers -->", "<!-- end -->"
 
 
 @dataclass(frozen=True)
@@ -68,15 +66,3 @@ def write_json(path, rows):
         {"scene": row.scene, "program": row.program, "particle_steps_per_second": row.best, "ratio": row.ratio} for row in rows
     ]
     Path(path).write_text(json.dumps(entries, indent=2) + "\n")
-
-
-def check_marks(path):
-    text = Path(path).read_text()
-    if not 0 <= text.find(BEGIN) < text.find(END, text.find(BEGIN)):
-        raise SystemExit(f"{path}: no line {BEGIN} followed by a line {END}")
-
-
-def write_readme(path, text):
-    old = Path(path).read_text()
-    at = old.index(BEGIN) + len(BEGIN)
-    Path(path).write_text(f"{old[:at]}\n{text}\n{old[old.index(END, at):]}")

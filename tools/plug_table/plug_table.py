@@ -11,10 +11,9 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
+from marked_part import MarkedPart
 from plug_runs import PlugRuns
 from plug_verdict import RULE, verdict
-
-BEGIN, END = "<!-- plug table -->", "<!-- end -->"
 
 
 def number(value, digits):
@@ -53,24 +52,18 @@ def table(rows):
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    arguments.add_argument("readme", type=Path, help=f"file with a line {BEGIN} and a later line {END}")
+    arguments.add_argument("readme", type=Path, help="file with the marks of the table")
     arguments.add_argument("--programs", type=Path, required=True, help="folder of the built programs")
     arguments.add_argument("--out", type=Path, required=True, help="folder for the runs")
     arguments.add_argument("--seeds", type=int, nargs="+", default=[1, 2, 3])
     arguments.add_argument("--jobs", type=int, default=2, help="programs running at a time")
     chosen = arguments.parse_args()
 
-    text = chosen.readme.read_text()
-    if not 0 <= text.find(BEGIN) < text.find(END):
-        raise SystemExit(f"{chosen.readme}: no line {BEGIN} followed by a line {END}")
-
+    part = MarkedPart(chosen.readme, "plug table")
     summaries = PlugRuns(chosen.programs, chosen.out, chosen.seeds, chosen.jobs).all()
     rows = [row(case, seed, summary) for (case, seed), summary in summaries.items()]
     print("\n".join(rows))
-
-    text = chosen.readme.read_text()  # minutes later: it may have been changed meanwhile
-    before, after = text[: text.index(BEGIN) + len(BEGIN)], text[text.index(END) :]
-    chosen.readme.write_text(f"{before}\n{table(rows)}\n{after}")
+    part.write(table(rows))
 
 
 if __name__ == "__main__":
