@@ -12,9 +12,9 @@ from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
-for part in ("frontier", "report"):
-    sys.path.insert(0, str(root / "tools" / part))
+sys.path[:0] = [str(root / part) for part in ("tests", "tools/report", "tools/frontier")]
 
+import counted  # noqa: E402
 import measure  # noqa: E402
 import page  # noqa: E402
 
@@ -100,15 +100,6 @@ class Page(unittest.TestCase):
         self.assertAlmostEqual(page.slope([(x, 3 * x**1.2) for x in (1, 2, 5)]), 1.2, places=9)
 
 
-def main():
-    global FOLDER
-    FOLDER = Path(sys.argv[1])
-    program = unittest.main(argv=sys.argv[:1], exit=False, verbosity=0)
-    failed = len(program.result.failures) + len(program.result.errors)
-    if sys.argv[2:]:
-        Path(sys.argv[2]).write_text(f"{program.result.testsRun - failed} {failed}\n")
-    raise SystemExit(failed > 0)
-
-
 if __name__ == "__main__":
-    main()
+    FOLDER = Path(sys.argv[1])
+    counted.run_and_count(*sys.argv[2:3])
