@@ -19,7 +19,8 @@ import report  # noqa: E402
 from case_values import law_of, read_case  # noqa: E402
 from checking import Check, check_bed, worst  # noqa: E402
 from derived_cases import derived, with_value  # noqa: E402
-from peer_inputs import Stretch, data_file, script, tsuji_argument, tsuji_polynomial  # noqa: E402
+from lammps_law import tsuji_argument, tsuji_polynomial  # noqa: E402
+from peer_inputs import Stretch, data_file, script  # noqa: E402
 from states import Observed, State, count_contacts, read_dump, read_final  # noqa: E402
 
 HEADER = """
