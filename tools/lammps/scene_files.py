@@ -112,8 +112,7 @@ def steps_script(case):
         f"thermo {whole_steps(case, case['log_interval'])}",
         f"if '${{frames}} > 0' then '{dump}' 'dump_modify frames format float %.17g'",
         "run ${steps}",
-        f"write_dump all custom final.lammpstrj{SUFFIX} {columns} modify format float %.17g",
-        f"shell mv final.lammpstrj{SUFFIX} final.lammpstrj",
+        f"write_dump all custom final.lammpstrj {columns} modify format float %.17g",
     ]
     return "\n".join(lines) + "\n"
 

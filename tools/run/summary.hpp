@@ -26,6 +26,10 @@ struct Outcome {
   std::optional<Collision> collision;
 };
 
+/// The entry `plug` alone, as a JSON object; and the line about it for a person.
+std::string encode_plug(const PlugResult&);
+std::string describe_plug(const PlugResult&);
+
 std::string encode_summary(const CaseFacts&, const Options&, const Outcome&);
 
 /// A few lines for a person, printed after the table.
