@@ -194,6 +194,13 @@ run-lammps:  ## the same, run over MPI with RANKS=n processes, the gas beside it
 	  --mpirun '$(MPIRUN)' $(if $(STEPS),--steps $(STEPS)) $$([ -n "$$($(lammps_has_gas))" ] && echo --program $(gas_beside) || \
 	  echo --program '$(or $(LMP),lmp)')
 
+.PHONY: test-lammps
+test-lammps:  ## LAMMPS beside the kernel: impacts, trajectories, gas, ranks, every case, a plug (some minutes); ONLY=part
+	$(needs) run test export mpi lammps lammps-library
+	+@$(MAKE) build-test-lammps
+	@tests/lammps/lammps_test.py --build $(build) --headers $(build) --impact-build $(lammps_impacts) --states $(lammps_test)/states \
+	  --out $(lammps_test)/runs $(if $(ONLY),--only $(ONLY))
+
 .PHONY: stability
 stability_out = $(if $(QUICK),$(stability)/page,bench/reports/$(case_name))
 stability:  ## how far CASE is from instability: page, tables and pictures in bench/reports/CASE; QUICK=1 is the part of it in make test

@@ -1,15 +1,15 @@
 // What the kernel makes of a state whose contact histories are empty, for comparison with LAMMPS (lammps_test.py).
 //
-// Usage: kernel_beside run STATE STEPS INTEGRATOR FACTOR   the state afterwards, as a LAMMPS dump on stdout; INTEGRATOR
-// is
-//                                                         euler or leapfrog; FACTOR 1 or 2: steps are halved so often
-//        kernel_beside gas STATE      one update of the gas: a line `slice,...` for each slice, `force,...` for each
-//                                     particle (N, and whether it floats), all in SI units
-// Compiled for a case like its program. STEPS are steps of the case's length, whatever FACTOR.
+// Usage: kernel_beside start STATE   writes the particles that the case places one by one as a state file
+//        kernel_beside run STATE STEPS euler|leapfrog   the state afterwards, as a LAMMPS dump on stdout
+//        kernel_beside gas STATE   one update of the gas: a line `slice,...` for each slice, `force,...` for each
+//                                  particle (N, and whether it floats), all in SI units
+// Compiled for a case like its program.
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <memory>
 #include <stdexcept>
@@ -28,12 +28,9 @@ namespace {
 using namespace fixdem;
 using Original = cases::FIXDEM_CASE;
 
-template <Integrator chosen, int divided>
+template <Integrator chosen>
 struct Setting : Original {
   static constexpr Integrator integrator = chosen;
-  static constexpr double time_step = Original::time_step / divided;
-  static constexpr int gas_update_interval = Original::gas_update_interval * divided;
-  static constexpr int gas_floater_interval = Original::gas_floater_interval * divided;
 };
 
 void require(const Status& status) {
@@ -49,6 +46,24 @@ void start_from(Simulation& simulation, const std::string& path) {
   require(simulation.start());
 }
 
+/// Of a case whose start is a list of particles.
+template <class Case>
+void write_start(const std::string& path) {
+  if constexpr (Case::start == StartKind::placed) {
+    const auto simulation = std::make_unique<Simulation<Case>>();
+    for (int id = 0; id < Case::particle_count; ++id) {
+      Particle particle;
+      std::memcpy(&particle, &Case::placed[id], sizeof particle);
+      simulation->place(id, particle);
+    }
+    require(simulation->start());
+    const auto snapshot = program::take_snapshot(program::CaseAdapter<Case>(*simulation), Case::particle_count);
+    program::write_state(path, program::stored_state(program::case_facts<Case>(), snapshot, false, 0));
+  } else {
+    throw std::runtime_error("the case places no particles one by one");
+  }
+}
+
 template <class Case>
 void run(const std::string& path, long long steps) {
   const auto simulation = std::make_unique<Simulation<Case>>();
@@ -57,14 +72,6 @@ void run(const std::string& path, long long steps) {
   const program::CaseAdapter<Case> view(*simulation);
   const program::Snapshot snapshot = program::take_snapshot(view, Case::particle_count);
   fmt::print("{}", program::encode_dump(snapshot, program::case_facts<Case>()));
-}
-
-template <Integrator integrator>
-void run(const std::string& path, long long steps, int divided) {
-  if (divided == 2)
-    run<Setting<integrator, 2>>(path, 2 * steps);
-  else
-    run<Setting<integrator, 1>>(path, steps);
 }
 
 /// The update that comes before the first step.
@@ -96,15 +103,17 @@ int main(int argc, char** argv) {
   try {
     if (mode == "gas" && argc == 3) {
       gas<Original>(argv[2]);
-    } else if (mode == "run" && argc == 6) {
-      const long long steps = std::atoll(argv[3]);
-      const int divided = std::atoi(argv[5]);
-      if (argv[4] == std::string("leapfrog"))
-        run<Integrator::leapfrog>(argv[2], steps, divided);
-      else
-        run<Integrator::euler>(argv[2], steps, divided);
+    } else if (mode == "start" && argc == 3) {
+      write_start<Original>(argv[2]);
+    } else if (mode == "run" && argc == 5 && argv[4] == std::string("leapfrog")) {
+      run<Setting<Integrator::leapfrog>>(argv[2], std::atoll(argv[3]));
+    } else if (mode == "run" && argc == 5 && argv[4] == std::string("euler")) {
+      run<Setting<Integrator::euler>>(argv[2], std::atoll(argv[3]));
     } else {
-      std::fputs("usage: kernel_beside run STATE STEPS euler|leapfrog 1|2, or kernel_beside gas STATE\n", stderr);
+      std::fputs(
+          "usage: kernel_beside start STATE, kernel_beside run STATE STEPS euler|leapfrog, or kernel_beside gas "
+          "STATE\n",
+          stderr);
       return 2;
     }
   } catch (const std::exception& error) {

@@ -72,13 +72,15 @@ def run(folder, program, ranks, mpirun="mpirun", steps=None, frames=None, quiet=
         raise Failed(done.returncode, "\n  ".join([f"{' '.join(line)} in {folder}: exit code {done.returncode}", *last]))
 
 
-def summary(folder, case, repeat=1):
+def summary(folder, case, ranks, repeat=1):
     """What came out, from the files of a run that is done."""
     text = (folder / "log.lammps").read_text()
     loop, version = LOOP.search(text), re.search(r"LAMMPS \((.*?)\)", text)
     if not loop or not version:
         raise Failed(3, f"{folder}/log.lammps: no 'Loop time' in it: the run did not end")
-    seconds, ranks, steps, particles = float(loop[1]), int(loop[2]), int(loop[3]), int(loop[4])
+    seconds, steps, particles = float(loop[1]), int(loop[3]), int(loop[4])
+    if int(loop[2]) != ranks:
+        raise Failed(3, f"{folder}/log.lammps: {loop[2]} ranks instead of {ranks}: mpirun is not of the MPI that LAMMPS was built with")
     whole = {**case, "pipe_length": case["pipe_length"] * repeat, "particle_count": case["particle_count"] * repeat}
     state = read_dump(folder / "final.lammpstrj")
     if len(state.positions) != particles:
@@ -140,7 +142,7 @@ def main():
     try:
         case = read_header(chosen.header)
         run(chosen.folder, chosen.program, chosen.ranks, chosen.mpirun, chosen.steps, quiet=chosen.quiet)
-        outcome = summary(chosen.folder, case, chosen.repeat)
+        outcome = summary(chosen.folder, case, chosen.ranks, chosen.repeat)
         write_summary(chosen.folder, outcome)
     except Failed as failure:
         return failure.code, failure

@@ -57,8 +57,8 @@ def opening(case, origin, repeat):
 
 
 def boundary(case):
-    # Without the pipe's wall nothing keeps particles in: the box follows them.
-    across = "f f" if case["has_wall"] else "s s"
+    # Without the pipe's wall nothing keeps particles in: the box grows with them.
+    across = "f f" if case["has_wall"] else "m m"
     return f"boundary {across} {'p' if case['ends'] == 'periodic' else 'f'}"
 
 
@@ -99,7 +99,6 @@ def scene_script(case, law, origin, repeat=1):
 
 def steps_script(case):
     """Output and the one run: a second one with set-up would convert the wall's damping twice (lammps_law.py)."""
-    columns = COLUMNS + (" f_gas[1] f_gas[2] f_gas[3]" if case["has_gas"] else "")
     frames = whole_steps(case, case["frame_interval"]) if case["frame_interval"] else 0
     dump = 'dump frames all custom ${frames} frames.lammpstrj' + f" {COLUMNS}"
     lines = [
@@ -112,7 +111,7 @@ def steps_script(case):
         f"thermo {whole_steps(case, case['log_interval'])}",
         f"if '${{frames}} > 0' then '{dump}' 'dump_modify frames format float %.17g'",
         "run ${steps}",
-        f"write_dump all custom final.lammpstrj {columns} modify format float %.17g",
+        f"write_dump all custom final.lammpstrj {COLUMNS} modify format float %.17g",
     ]
     return "\n".join(lines) + "\n"
 

@@ -83,24 +83,29 @@ def damping_ratio(restitution):
     return -math.log(restitution) / math.hypot(math.pi, math.log(restitution))
 
 
-def law_of(case):
+def stiffnesses_of(case):
+    """Normal and tangential, of pairs and walls: the fields of Law."""
+    if case["normal"] == "linear":
+        normal, tangential = case["normal_stiffness"], case["tangential_stiffness"]
+        return {"normal_pair": normal, "normal_wall": normal, "tangential_pair": tangential, "tangential_wall": tangential}
     radius = case["diameter"] / 2
     modulus, poisson = case["youngs_modulus"], case["poisson_ratio"]
     shear = modulus / (2 * (1 + poisson))
     compliance = (1 - poisson**2) / modulus
     wall_compliance = (1 - case["wall_poisson_ratio"] ** 2) / case["wall_youngs_modulus"]
-    stiffnesses = {
+    return {
         "normal_pair": math.sqrt(2 * radius) / (3 * compliance),
         "normal_wall": 4 / 3 * math.sqrt(radius) / (compliance + wall_compliance),
         "tangential_pair": 2 * math.sqrt(2 * radius) * shear / (2 - poisson),
         "tangential_wall": 8 * math.sqrt(radius) * shear / (2 - poisson),
     }
-    if case["normal"] == "linear":
-        stiffnesses = {name: case[f"{name.split('_')[0]}_stiffness"] for name in stiffnesses}
+
+
+def law_of(case):
     return Law(
-        radius=radius,
+        radius=case["diameter"] / 2,
         mass=math.pi / 6 * case["diameter"] ** 3 * case["density"],
-        **stiffnesses,
+        **stiffnesses_of(case),
         alpha=math.sqrt(5) * damping_ratio(case["restitution"]),
         friction=case["friction"],
     )
