@@ -195,11 +195,11 @@ run-lammps:  ## the same, run over MPI with RANKS=n processes, the gas beside it
 	  echo --program '$(or $(LMP),lmp)')
 
 .PHONY: test-lammps
-test-lammps:  ## LAMMPS beside the kernel: impacts, trajectories, gas, ranks, every case, a plug (some minutes); ONLY=part
+test-lammps:  ## LAMMPS beside the kernel: impacts, trajectories, gas, ranks, every case, a plug (some minutes); ONLY=part; README=1: tables
 	$(needs) run test export mpi lammps lammps-library
 	+@$(MAKE) build-test-lammps
 	@tests/lammps/lammps_test.py --build $(build) --headers $(build) --impact-build $(lammps_impacts) --states $(lammps_test)/states \
-	  --out $(lammps_test)/runs $(if $(ONLY),--only $(ONLY))
+	  --out $(lammps_test)/runs $(if $(ONLY),--only $(ONLY)) $(if $(README),--readme tools/lammps/README.md)
 
 .PHONY: stability
 stability_out = $(if $(QUICK),$(stability)/page,bench/reports/$(case_name))

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Runs the test program, one process per source file and as many at a time as there are cores, then the files that must
-# not compile, the freestanding and the stripped scene, the tests of tools/peers, the live picture and the quick forms of
-# make stability and make frontier; ends with one line, `N passed, M failed`. The output of a source file is shown when
-# something in it fails.
+# not compile, the freestanding and the stripped scene, the tests of tools/peers and tools/lammps, the live picture and the
+# quick forms of make stability and make frontier; ends with one line, `N passed, M failed`. The output of a source file is
+# shown when something in it fails.
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
 # Environment: FRONTIER, folder of the programs of `make frontier QUICK=1`; KILLS, how often tests/kill_test.py kills. What is
@@ -66,6 +66,7 @@ quick_frontier() {
 run_part freestanding_test.py tests/freestanding_test.py "$reports/freestanding_test.py.count" "$build/freestanding" "$@"
 run_part footprint_test.py tests/footprint_test.py "$reports/footprint_test.py.count" "$build/footprint-test" "$@"
 run_part peers_test.py tests/peers_test.py "$reports/peers_test.py.count"
+run_part lammps_files_test.py tests/lammps_files_test.py "$build" "$reports/lammps_files_test.py.count"
 [[ -z ${KILLS:-} ]] || run_part kill_test.py tests/kill_test.py "$build/bin" "$build/scratch/kill" --kills "$KILLS" \
   --count "$reports/kill_test.py.count"
 run_part watch_test.py tests/watch_test.py "$build/bin/settle" "$build/scratch/watch" "$reports/watch_test.py.count"

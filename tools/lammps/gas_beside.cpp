@@ -74,7 +74,6 @@ class GasBeside {
     const program::PlugResult plug = record_.result(duration, gravity, Case::pipe_diameter);
     program::write_file("plug.json", program::encode_plug(plug), program::Durability::fast);
     program::write_file("slices.csv", slice_table(), program::Durability::fast);
-    fmt::print("{}", program::describe_plug(plug));
   }
 
  private:

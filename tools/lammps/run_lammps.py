@@ -3,8 +3,8 @@
 
 summary.json has the entries `final`, `performance` and `plug` of the program's (tools/README.md) as far as they can be told
 from the final dump, with the same units; energies and contacts are computed by tools/peers/states.py. Speed is that of
-LAMMPS' own loop by the clock, gas included. Exit code: 0 done, 2 wrong usage, 3 a result that cannot be read, 6 files;
-otherwise that of mpirun.
+LAMMPS' own loop by the clock, gas included; `processor_share` is how much of a core each rank had (1 on a quiet machine).
+Exit code: 0 done, 2 wrong usage, 3 a result that cannot be read, 6 files; otherwise that of mpirun.
 """
 
 import argparse
@@ -22,6 +22,7 @@ from export_lammps import positive
 from scene_files import SUFFIX
 from states import observe, read_dump
 
+BUSY = re.compile(r"([\d.]+)% CPU use with")
 LOOP = re.compile(r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms")
 
 
@@ -75,8 +76,8 @@ def run(folder, program, ranks, mpirun="mpirun", steps=None, frames=None, quiet=
 def summary(folder, case, ranks, repeat=1):
     """What came out, from the files of a run that is done."""
     text = (folder / "log.lammps").read_text()
-    loop, version = LOOP.search(text), re.search(r"LAMMPS \((.*?)\)", text)
-    if not loop or not version:
+    loop, busy, version = LOOP.search(text), BUSY.search(text), re.search(r"LAMMPS \((.*?)\)", text)
+    if not (loop and busy and version):
         raise Failed(3, f"{folder}/log.lammps: no 'Loop time' in it: the run did not end")
     seconds, steps, particles = float(loop[1]), int(loop[3]), int(loop[4])
     if int(loop[2]) != ranks:
@@ -104,6 +105,7 @@ def summary(folder, case, ranks, repeat=1):
         },
         "performance": {
             "wall_time": seconds,
+            "processor_share": float(busy[1]) / 100,
             "particle_steps_per_second": particles * steps / seconds if seconds > 0 else None,
         },
         "plug": json.loads(plug.read_text()) if plug.exists() else None,
@@ -117,14 +119,26 @@ def write_summary(folder, outcome):
     os.replace(temporary, path)
 
 
+def describe_plug(plug):
+    if plug is None:
+        return ""
+    if plug["front_velocity"] is None:
+        return f"\nplug: none ({plug['samples_with_plug']} of {plug['samples']} samples in the second half of the run show one)"
+    return (
+        f"\nplug: front {plug['front_velocity']:.3f} m/s, layer area ratio {plug['layer_area_ratio']:.3f}, "
+        f"{plug['pressure_gradient']:.0f} Pa/m"
+    )
+
+
 def describe(outcome):
     final, speed = outcome["final"], outcome["performance"]["particle_steps_per_second"]
-    fast = "" if speed is None else f", {speed * 1e-6:.4g} million particle-steps/s"
+    share = outcome["performance"]["processor_share"]
+    fast = "" if speed is None else f", {speed * 1e-6:.4g} million particle-steps/s with {share:.0%} of a core for each rank"
     return (
         f"{outcome['case']}: {outcome['particles']} particles, {outcome['steps']} steps on {outcome['ranks']} ranks of "
         f"{outcome['program']} in {outcome['performance']['wall_time']:.2f} s{fast}\n"
         f"kinetic energy {final['kinetic_energy']:.6g} J, contacts {final['contacts']}, mean height {final['mean_height']:.6g} m, "
-        f"mean axial velocity {final['mean_axial_velocity']:.6g} m/s"
+        f"mean axial velocity {final['mean_axial_velocity']:.6g} m/s" + describe_plug(outcome["plug"])
     )
 
 

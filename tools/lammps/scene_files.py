@@ -90,6 +90,7 @@ def scene_script(case, law, origin, repeat=1):
         "",
         *law_commands(case, law),
         *(gas_commands(case) if case["has_gas"] else []),
+        "fix spread all balance 1000 1.1 shift z 10 1.05  # a plug has three times the particles of the rest of the pipe",
         "fix move all nve/sphere",
         *([f"fix weight all gravity {strength!r} vector " + " ".join(map(repr, gravity))] if strength else []),
         f"timestep {case['time_step']!r}",

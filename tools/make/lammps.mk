@@ -24,7 +24,7 @@ lammps_has_gas = grep -q 'has_gas = true' $(case_header) && echo yes
 $(gas_beside): tools/lammps/gas_beside.cpp $(case_header) $(run_objects) tools/make/variant.mk
 	@mkdir -p $(@D)
 	$(call say,compile $< for $(lammps_name))
-	$(quiet)$(mpi_compiler) -MMD -MP -MF $@.d -MT $@ -I$(case_build) $(program_flags) $(link_flags) -DLAMMPS_SMALLBIG \
+	$(quiet)$(mpi_compiler) -MMD -MP -MF $@.d -MT $@ -I$(case_build) $(program_flags) $(link_flags) -DLAMMPS_SMALLBIG -DOMPI_SKIP_MPICXX \
 	  $(addprefix -DFIXDEM_REPEAT=,$(REPEAT)) $(call program_defines,$$($(casegen) --name $(case_file)),$(case_name)) \
 	  $< $(run_objects) $(libraries) -llammps -o $@
 

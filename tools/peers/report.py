@@ -70,13 +70,13 @@ def write_json(path, rows):
     Path(path).write_text(json.dumps(entries, indent=2) + "\n")
 
 
-def check_marks(path):
+def check_marks(path, begin=BEGIN):
     text = Path(path).read_text()
-    if not 0 <= text.find(BEGIN) < text.find(END, text.find(BEGIN)):
-        raise SystemExit(f"{path}: no line {BEGIN} followed by a line {END}")
+    if not 0 <= text.find(begin) < text.find(END, text.find(begin)):
+        raise SystemExit(f"{path}: no line {begin} followed by a line {END}")
 
 
-def write_readme(path, text):
+def write_readme(path, text, begin=BEGIN):
     old = Path(path).read_text()
-    at = old.index(BEGIN) + len(BEGIN)
+    at = old.index(begin) + len(begin)
     Path(path).write_text(f"{old[:at]}\n{text}\n{old[old.index(END, at):]}")

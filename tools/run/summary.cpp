@@ -69,17 +69,6 @@ Json particles(const Outcome& outcome) {
 
 std::string encode_plug(const PlugResult& result) { return plug(result).dump(2) + "\n"; }
 
-std::string describe_plug(const PlugResult& p) {
-  if (!std::isfinite(p.front_velocity))
-    return fmt::format("plug: none ({} of {} samples in the second half of the run show one)\n", p.samples_with_plug,
-                       p.samples);
-  return fmt::format(
-      "plug: front {:.3f} m/s, particles {:.3f} m/s, length {:.3f} m, layer area ratio {:.3f} (eq. 41: {:.3f}), "
-      "{:.0f} Pa/m\n",
-      p.front_velocity, p.particle_velocity, p.length, p.layer_area_ratio, p.layer_area_ratio_eq41,
-      p.pressure_gradient);
-}
-
 std::string encode_summary(const CaseFacts& facts, const Options& options, const Outcome& outcome) {
   const Observation& o = outcome.observation;
   Json capacity = Json::object();
@@ -124,7 +113,17 @@ std::string describe_outcome(const CaseFacts& facts, const Outcome& outcome) {
   if (facts.energy_ledger)
     text += fmt::format("energy balance error {:.2e}\n", balance_error(outcome.start_energy, outcome.energy));
   text += describe_capacities(outcome.capacities);
-  if (outcome.plug) text += describe_plug(*outcome.plug);
+  if (outcome.plug && std::isfinite(outcome.plug->front_velocity)) {
+    const PlugResult& p = *outcome.plug;
+    text += fmt::format(
+        "plug: front {:.3f} m/s, particles {:.3f} m/s, length {:.3f} m, layer area ratio {:.3f} (eq. 41: {:.3f}), "
+        "{:.0f} Pa/m\n",
+        p.front_velocity, p.particle_velocity, p.length, p.layer_area_ratio, p.layer_area_ratio_eq41,
+        p.pressure_gradient);
+  } else if (outcome.plug) {
+    text += fmt::format("plug: none ({} of {} samples in the second half of the run show one)\n",
+                        outcome.plug->samples_with_plug, outcome.plug->samples);
+  }
   if (outcome.collision) {
     const Collision& c = *outcome.collision;
     text +=

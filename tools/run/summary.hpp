@@ -26,9 +26,8 @@ struct Outcome {
   std::optional<Collision> collision;
 };
 
-/// The entry `plug` alone, as a JSON object; and the line about it for a person.
+/// The entry `plug` alone, as a JSON object.
 std::string encode_plug(const PlugResult&);
-std::string describe_plug(const PlugResult&);
 
 std::string encode_summary(const CaseFacts&, const Options&, const Outcome&);
 
