@@ -22,13 +22,24 @@ def positive(text):
     return number
 
 
+def reason(error):
+    """An OSError in words."""
+    return f"{error.filename}: {error.strerror}" if error.filename else str(error)
+
+
+def clear_results(folder):
+    """Takes away what an earlier run has left, so that nothing is mixed up."""
+    for old in ("final.lammpstrj", "frames.lammpstrj", "log.lammps", "summary.json", "plug.json", "slices.csv"):
+        (folder / old).unlink(missing_ok=True)
+
+
 def write_all(folder, texts):
-    """Every file under another name first; what an earlier export or run has left goes, so that nothing is mixed up."""
+    """Every file under another name first, so that none is ever half written."""
     folder.mkdir(parents=True, exist_ok=True)
     for name, text in texts.items():
         (folder / (name + SUFFIX)).write_text(text)
-    for old in ("run.in", "final.lammpstrj", "frames.lammpstrj", "log.lammps", "summary.json", "plug.json", "slices.csv"):
-        (folder / old).unlink(missing_ok=True)
+    clear_results(folder)
+    (folder / "run.in").unlink(missing_ok=True)
     for name in texts:
         os.replace(folder / (name + SUFFIX), folder / name)
 
@@ -44,16 +55,16 @@ def main():
     try:
         case, state = read_header(chosen.header), read_final(chosen.state)
         texts = files(case, law_of(case), state, chosen.origin or f"the state {chosen.state}", chosen.repeat)
-    except Refused as reason:
-        return 3, f"{case['source']}: {reason}"
+    except Refused as refused:
+        return 3, f"{case['source']}: {refused}"
     except SystemExit as said:  # a file that is not what it should be
         return 3, said
     except OSError as error:
-        return 6, error
+        return 6, reason(error)
     try:
         write_all(chosen.out, texts)
     except OSError as error:
-        return 6, error
+        return 6, reason(error)
     particles = len(state.positions) * chosen.repeat
     print(f"{chosen.out}: {', '.join(texts)}; {particles} particles, contact histories start empty")
     return 0, None

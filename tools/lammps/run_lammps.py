@@ -18,7 +18,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "peers"))
 from case_values import law_of, read_header
-from export_lammps import positive
+from export_lammps import clear_results, positive, reason
 from scene_files import SUFFIX
 from states import observe, read_dump
 
@@ -62,10 +62,9 @@ def command(program, ranks, mpirun, variables, quiet):
 
 
 def run(folder, program, ranks, mpirun="mpirun", steps=None, frames=None, quiet=False):
-    for old in ("final.lammpstrj", "log.lammps", "summary.json", "plug.json", "slices.csv"):
-        (folder / old).unlink(missing_ok=True)
     variables = {name: value for name, value in (("steps", steps), ("frames", frames)) if value is not None}
     line = command(program, ranks, mpirun, variables, quiet)
+    clear_results(folder)
     done = subprocess.run(line, cwd=folder, env=environment(ranks), check=False)
     if done.returncode != 0:
         said = folder / "log.lammps"
@@ -163,7 +162,7 @@ def main():
     except SystemExit as said:  # a file that is not what it should be
         return 3, said
     except OSError as error:
-        return 6, error
+        return 6, reason(error)
     print(describe(outcome))
     print(f"results in {chosen.folder}: summary.json, final.lammpstrj, log.lammps")
     return 0, None
