@@ -40,6 +40,7 @@ include tools/make/fuzz.mk
 include tools/make/check.mk
 include tools/make/run_report.mk
 include tools/make/figures.mk
+include tools/make/lammps.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
@@ -176,6 +177,29 @@ bench-peers:  ## fixdem beside LAMMPS and LIGGGHTS, same scenes, one core; LMP=/
 	+@$(MAKE) final-state CASE=pipe_bed OUT= SEED= ARGS=
 	tools/peers/bench_peers.py --programs $(peers)/bin --headers $(peers)/cases --settled out/pipe_bed/final.fixdem \
 	  --out out/peers --readme bench/README.md $(if $(LMP),--lmp '$(LMP)') $(if $(JSON),--json '$(JSON)')
+
+.PHONY: export-lammps
+export-lammps:  ## CASE as input for LAMMPS in out/lammps/CASE, from its start or STATE=file; REPEAT=n copies along a periodic pipe
+	$(needs) run export
+	$(files) $(case_header) $(if $(STATE),,build-program)
+	+@$(MAKE) lammps-state
+	@tools/lammps/export_lammps.py $(lammps_files)
+
+.PHONY: run-lammps
+run-lammps:  ## the same, run over MPI with RANKS=n processes, the gas beside it; STEPS=n; LMP=/path/to/lmp for a case without gas
+	$(needs) run export mpi $(if $(LMP),,lammps)
+	+@$(MAKE) export-lammps
+	+@[ -z "$$($(lammps_has_gas))" ] || { $(needs:@%=%) lammps-library; $(MAKE) $(parallel) build-gas-beside; }
+	@tools/lammps/run_lammps.py $(lammps_out) --header $(case_header) $(if $(REPEAT),--repeat $(REPEAT)) --ranks $(RANKS) \
+	  --mpirun '$(MPIRUN)' $(if $(STEPS),--steps $(STEPS)) $$([ -n "$$($(lammps_has_gas))" ] && echo --program $(gas_beside) || \
+	  echo --program '$(or $(LMP),lmp)')
+
+.PHONY: test-lammps
+test-lammps:  ## LAMMPS beside the kernel: impacts, trajectories, gas, ranks, every case, a plug (some minutes); ONLY=part; README=1: tables
+	$(needs) run test export mpi lammps lammps-library
+	+@$(MAKE) build-test-lammps
+	@tests/lammps/lammps_test.py --build $(build) --headers $(build) --impact-build $(lammps_impacts) --states $(lammps_test)/states \
+	  --out $(lammps_test)/runs $(if $(ONLY),--only $(ONLY)) $(if $(README),--readme tools/lammps/README.md)
 
 .PHONY: stability
 stability_out = $(if $(QUICK),$(stability)/page,bench/reports/$(case_name))

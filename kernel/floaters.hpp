@@ -35,15 +35,19 @@ bool has_company(const Particles<Case>& p, int i, int step) {
 
 }  // namespace detail
 
+/// Whether a particle at this place of a section touches the lower half of the pipe wall.
+template <class Case>
+bool is_on_bottom(double x, double y) {
+  return y < 0 && sqrt(x * x + y * y) - (Derived<Case>::pipe_radius - Derived<Case>::radius) > 0;
+}
+
 template <class Case>
 void find_floaters(GasSlices<Case>& gas, const Particles<Case>& p, const Contacts<Case>& contacts) {
   static_assert(1 + 2 * greatest_margin < near_reach, "fixdem: near pairs must stay within the floaters' reach");
-  constexpr double contact_distance = Derived<Case>::pipe_radius - Derived<Case>::radius;
   for (int i = 0; i < Case::particle_count; ++i) {
     const double* x = p.position[i];
-    const bool on_bottom = x[1] < 0 && sqrt(x[0] * x[0] + x[1] * x[1]) - contact_distance > 0;
-    gas.floats[p.id[i]] =
-        contacts.near_count[i] == 0 && !on_bottom && !detail::has_company(p, i, 1) && !detail::has_company(p, i, -1);
+    gas.floats[p.id[i]] = contacts.near_count[i] == 0 && !is_on_bottom<Case>(x[0], x[1]) &&
+                          !detail::has_company(p, i, 1) && !detail::has_company(p, i, -1);
   }
 }
 

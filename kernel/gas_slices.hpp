@@ -10,7 +10,8 @@
 // sphere.
 //
 // Forces are turned into the velocity change of one step and held until the next update. Slices are worked off W at a
-// time.
+// time. What is in SliceArrays and in `detail` knows nothing of how particles are stored, so that another program can
+// do the same with its own (tools/lammps).
 #pragma once
 
 #include "contacts.hpp"
@@ -26,9 +27,9 @@ inline constexpr double full_within = 1e-6;        ///< free height in pipe diam
 inline constexpr double least_void_fraction = 0.35, greatest_void_fraction = 0.95;
 inline constexpr double near_reach = 1.1;  ///< centres nearer than this, in diameters, make a particle part of the bed
 
-/// State of the slices at the last update.
-template <class Case, bool present = Case::has_gas>
-struct GasSlices {
+/// The flow in the slices at the last update: all that does not depend on how particles are stored.
+template <class Case>
+struct SliceArrays {
   static constexpr int count = Case::slice_count;
   static constexpr int padded = (count + 7) / 8 * 8;
   alignas(64) double particles[padded];           ///< bed particles
@@ -39,8 +40,13 @@ struct GasSlices {
   alignas(64) double pressure_gradient[padded];  ///< G, Pa/m, positive pushing along +z
   alignas(64) double velocity_in_bed[padded];    ///< U_d, m/s
   alignas(64) double velocity_above[padded];     ///< U_a, m/s; U_d in a full slice
-  bool floats[Case::particle_count];             ///< by input number
-  int slice_of[Case::particle_count];            ///< by row; scratch of one update
+};
+
+/// State of the gas at the last update.
+template <class Case, bool present = Case::has_gas>
+struct GasSlices : SliceArrays<Case> {
+  bool floats[Case::particle_count];   ///< by input number
+  int slice_of[Case::particle_count];  ///< by row; scratch of one update
 };
 template <class Case>
 struct GasSlices<Case, false> {};
@@ -50,7 +56,7 @@ namespace detail {
 /// Flow of one group of slices; reads particles, sums and heights, writes the rest. Returns the greatest residual.
 /// `set_velocity`: the bulk velocity in a coupled case.
 template <class Case, int W>
-double solve_slices(GasSlices<Case>& gas, int first, [[maybe_unused]] double set_velocity = 0) {
+double solve_slices(SliceArrays<Case>& gas, int first, [[maybe_unused]] double set_velocity = 0) {
   using V = Lanes<W>;
   using D = Derived<Case>;
   constexpr double R = D::pipe_radius, pipe_area = D::pi * R * R;
@@ -136,9 +142,30 @@ double solve_slices(GasSlices<Case>& gas, int first, [[maybe_unused]] double set
   return greatest;
 }
 
-/// Drag on a floating sphere, as velocity change per step: C_d = 24/Re (1 + 0.15 Re^0.687) up to Re = 1000, then 0.44.
+/// Forgets the particles of the last update.
 template <class Case>
-void drag_on_floater(double gas_velocity, const double* velocity, double* kick) {
+void clear_slices(SliceArrays<Case>& gas) {
+  for (int s = 0; s < gas.padded; ++s) gas.particles[s] = gas.axial_velocity_sum[s] = gas.height[s] = 0;
+}
+
+/// Counts a bed particle in slice s; y and axial velocity are its own.
+template <class Case>
+void count_in_slice(SliceArrays<Case>& gas, int s, double y, double axial_velocity) {
+  const double top = y + Derived<Case>::pipe_radius + Derived<Case>::radius;
+  gas.particles[s] += 1;
+  gas.axial_velocity_sum[s] += axial_velocity;
+  gas.height[s] = max(top, gas.height[s]);
+}
+
+/// Force on each bed particle of slice s along the pipe, N: eq. (32).
+template <class Case>
+double force_in_bed(const SliceArrays<Case>& gas, int s) {
+  return gas.pressure_gradient[s] * Derived<Case>::slice_length * gas.bed_area[s] / gas.particles[s];
+}
+
+/// Drag on a floating sphere, N: C_d = 24/Re (1 + 0.15 Re^0.687) up to Re = 1000, then 0.44.
+template <class Case>
+void drag_on_floater(double gas_velocity, const double* velocity, double* force) {
   using D = Derived<Case>;
   const double u[3] = {-velocity[0], -velocity[1], gas_velocity - velocity[2]};
   const double speed = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
@@ -148,7 +175,7 @@ void drag_on_floater(double gas_velocity, const double* velocity, double* kick) 
   const double drag = reynolds < 1000
                           ? 24 * Case::gas_viscosity / Case::diameter * (1 + 0.15 * power<687, 1000>(reynolds))
                           : 0.44 * speed;
-  for (int k = 0; k < 3; ++k) kick[k] = area * drag * u[k] * (Case::time_step / D::mass);
+  for (int k = 0; k < 3; ++k) force[k] = area * drag * u[k];
 }
 
 }  // namespace detail
@@ -167,15 +194,11 @@ int slice_at(double z) {
 /// New slice quantities and forces from the present positions and velocities.
 template <class Case, int W>
 Status update_slices(GasSlices<Case>& gas, Particles<Case>& p) {
-  using D = Derived<Case>;
-  for (int s = 0; s < gas.padded; ++s) gas.particles[s] = gas.axial_velocity_sum[s] = gas.height[s] = 0;
+  detail::clear_slices(gas);
   for (int i = 0; i < Case::particle_count; ++i) {
     const int s = gas.slice_of[i] = slice_at<Case>(p.position[i][2]);
     if (gas.floats[p.id[i]]) continue;
-    const double top = p.position[i][1] + D::pipe_radius + D::radius;
-    gas.particles[s] += 1;
-    gas.axial_velocity_sum[s] += p.motion[i][2];
-    gas.height[s] = max(top, gas.height[s]);
+    detail::count_in_slice(gas, s, p.position[i][1], p.motion[i][2]);
   }
   double set_velocity = 0;
   if constexpr (is_coupled<Case>) set_velocity = p.coupling.gas_velocity;
@@ -185,13 +208,14 @@ Status update_slices(GasSlices<Case>& gas, Particles<Case>& p) {
       return {Fault::gas_unsolved, 0, -1, residual, greatest_residual};
   for (int i = 0; i < Case::particle_count; ++i) {
     const int s = gas.slice_of[i];
-    double* kick = p.gas_kick.row[i];
-    kick[0] = kick[1] = kick[2] = kick[3] = 0;
+    double force[3] = {};
     if (gas.floats[p.id[i]])
-      detail::drag_on_floater<Case>(gas.velocity_above[s], p.motion[i], kick);
+      detail::drag_on_floater<Case>(gas.velocity_above[s], p.motion[i], force);
     else
-      kick[2] = gas.pressure_gradient[s] * D::slice_length * gas.bed_area[s] / gas.particles[s] *
-                (Case::time_step / D::mass);  // eq. (32)
+      force[2] = detail::force_in_bed(gas, s);
+    double* kick = p.gas_kick.row[i];
+    for (int k = 0; k < 3; ++k) kick[k] = force[k] * (Case::time_step / Derived<Case>::mass);
+    kick[3] = 0;
   }
   return {};
 }

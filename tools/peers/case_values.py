@@ -34,6 +34,8 @@ def value_of(text):
         return text == "true"
     if "::" in text:
         return text.split("::")[1]
+    if text == "__builtin_inf()":
+        return math.inf
     number = text.removesuffix("ULL")
     if re.fullmatch(r"-?\d+", number):
         return int(number)
@@ -42,13 +44,19 @@ def value_of(text):
     return text
 
 
-def read_case(header):
+def read_header(header):
     """The members of the struct in a header of casegen: name -> value."""
     text = Path(header).read_text()
     case = {name: value_of(value) for name, _, value in MEMBER.findall(text)}
     missing = [key for key in (*REQUIRED, "particle_count", "diameter", "pipe_diameter", "gravity", "time_step") if key not in case]
     if missing:
         raise SystemExit(f"{header}: no {', '.join(missing)} in it: not a header of casegen, or one of another version")
+    return case
+
+
+def read_case(header):
+    """The same of a case that peers can be given."""
+    case = read_header(header)
     for key, wanted in REQUIRED.items():
         if case[key] != wanted:
             raise SystemExit(f"{header}: {key} is {case[key]}; the peers can be given {wanted} only")
@@ -57,7 +65,8 @@ def read_case(header):
 
 @dataclass(frozen=True)
 class Law:
-    """K and k of F_n = K overlap^(3/2), k_t = k overlap^(1/2); alpha of eta = alpha (M K)^(1/2) overlap^(1/4)."""
+    """K and k of F_n = K overlap^(3/2), k_t = k overlap^(1/2); alpha of eta = alpha (M K)^(1/2) overlap^(1/4), M being the
+    reduced mass. With the linear law K and k are in N/m and alpha is not used."""
 
     radius: float
     mass: float
@@ -69,20 +78,34 @@ class Law:
     friction: float
 
 
-def law_of(case):
+def damping_ratio(restitution):
+    """Of a linear oscillator whose rebound is `restitution` times the impact."""
+    return -math.log(restitution) / math.hypot(math.pi, math.log(restitution))
+
+
+def stiffnesses_of(case):
+    """Normal and tangential, of pairs and walls: the fields of Law."""
+    if case["normal"] == "linear":
+        normal, tangential = case["normal_stiffness"], case["tangential_stiffness"]
+        return {"normal_pair": normal, "normal_wall": normal, "tangential_pair": tangential, "tangential_wall": tangential}
     radius = case["diameter"] / 2
     modulus, poisson = case["youngs_modulus"], case["poisson_ratio"]
     shear = modulus / (2 * (1 + poisson))
     compliance = (1 - poisson**2) / modulus
     wall_compliance = (1 - case["wall_poisson_ratio"] ** 2) / case["wall_youngs_modulus"]
-    log_restitution = math.log(case["restitution"])
+    return {
+        "normal_pair": math.sqrt(2 * radius) / (3 * compliance),
+        "normal_wall": 4 / 3 * math.sqrt(radius) / (compliance + wall_compliance),
+        "tangential_pair": 2 * math.sqrt(2 * radius) * shear / (2 - poisson),
+        "tangential_wall": 8 * math.sqrt(radius) * shear / (2 - poisson),
+    }
+
+
+def law_of(case):
     return Law(
-        radius=radius,
+        radius=case["diameter"] / 2,
         mass=math.pi / 6 * case["diameter"] ** 3 * case["density"],
-        normal_pair=math.sqrt(2 * radius) / (3 * compliance),
-        normal_wall=4 / 3 * math.sqrt(radius) / (compliance + wall_compliance),
-        tangential_pair=2 * math.sqrt(2 * radius) * shear / (2 - poisson),
-        tangential_wall=8 * math.sqrt(radius) * shear / (2 - poisson),
-        alpha=-math.sqrt(5) * log_restitution / math.hypot(math.pi, log_restitution),
+        **stiffnesses_of(case),
+        alpha=math.sqrt(5) * damping_ratio(case["restitution"]),
         friction=case["friction"],
     )

@@ -5,11 +5,12 @@ kernel of the operating system counts it, so that neither start-up nor neighbour
 second part goes on without a new set-up (`pre no`), for two reasons: a set-up would be timed with it, and that of the
 packaged LAMMPS converts the wall's damping a second time.
 
-bench/README.md says which settings and why. A stiffness K of F_n = K overlap^(3/2) reaches LAMMPS as K / sqrt(R), R the
-effective radius it multiplies with: r/2 between spheres and, inside a cylinder, that of sphere and cylinder together.
+bench/README.md says which settings and why; LAMMPS' law is that of lammps_law.py.
 """
 
 from dataclasses import dataclass
+
+from lammps_law import law_commands
 
 
 @dataclass(frozen=True)
@@ -33,44 +34,6 @@ def data_file(case, state):
     for number, (v, w) in enumerate(zip(state.velocities, state.spins), 1):
         lines.append(f"{number} " + " ".join(map(repr, (*v, *w))))
     return "\n".join(lines) + "\n"
-
-
-def tsuji_polynomial(argument):
-    """What LAMMPS makes of the argument of `damping tsuji`: a fit of alpha(e), meant for the whole mass of a sphere."""
-    coefficients = (1.2728, -4.2783, 11.087, -22.348, 27.467, -18.022, 4.8218)
-    return sum(c * argument**power for power, c in enumerate(coefficients))
-
-
-def tsuji_argument(alpha):
-    """The argument for which LAMMPS damps with this alpha (bisection; the polynomial falls from 0 to 1)."""
-    low, high = 0.0, 1.0
-    if not tsuji_polynomial(high) <= alpha <= tsuji_polynomial(low):
-        raise SystemExit(f"damping: alpha = {alpha:.4g} cannot be given to LAMMPS (0.0003 to 1.27 can); raise [material] restitution")
-    for _ in range(60):
-        middle = (low + high) / 2
-        low, high = (middle, high) if tsuji_polynomial(middle) > alpha else (low, middle)
-    return (low + high) / 2
-
-
-def lammps_law(case, law):
-    argument = tsuji_argument(law.alpha)
-    cylinder = case["pipe_diameter"] / 2
-    pair_root = (law.radius / 2) ** 0.5
-    # Inside a cylinder the packaged version takes a radius of curvature of twice the cylinder's.
-    wall_root = (law.radius * 2 * cylinder / (2 * cylinder - law.radius)) ** 0.5
-
-    def contact(normal, tangential, root):
-        return (
-            f"hertz {normal / root!r} {argument!r} tangential mindlin {tangential / root!r} 1.0 {law.friction!r} damping tsuji"
-        )
-
-    pair = contact(law.normal_pair, law.tangential_pair, pair_root)
-    wall = contact(law.normal_wall, law.tangential_wall, wall_root)
-    return [
-        "pair_style granular",
-        f"pair_coeff * * {pair}",
-        f"fix wall all wall/gran granular {wall} zcylinder {cylinder!r}",
-    ]
 
 
 def liggghts_law(case, law):
@@ -106,7 +69,7 @@ def script(program, case, law, stretch, skin):
         "read_data data",
         f"neighbor {skin!r} bin",
         "neigh_modify every 1 delay 0 check yes",
-        *(lammps_law(case, law) if lammps else liggghts_law(case, law)),
+        *(law_commands(case, law) if lammps else liggghts_law(case, law)),
         "fix move all nve/sphere",
         *([f"fix weight all gravity {strength!r} vector " + " ".join(map(repr, gravity))] if strength else []),
         f"timestep {stretch.time_step!r}",

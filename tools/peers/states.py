@@ -72,12 +72,16 @@ def read_dump(path):
 
 
 def count_contacts(case, positions):
-    """Pairs (periodic along z) and walls with an overlap."""
+    """Pairs (across periodic ends, too) and walls with an overlap."""
     diameter, length = case["diameter"], case["pipe_length"]
     reach = (case["pipe_diameter"] - diameter) / 2
-    walls = sum(math.hypot(x, y) > reach for x, y, _ in positions)
-    along = sorted((z % length, x, y) for x, y, z in positions)
-    along += [(z + length, x, y) for z, x, y in along if z < diameter]
+    walls = sum(math.hypot(x, y) > reach for x, y, _ in positions) if case["has_wall"] else 0
+    if case["ends"] == "periodic":
+        along = sorted((z % length, x, y) for x, y, z in positions)
+        along += [(z + length, x, y) for z, x, y in along if z < diameter]
+    else:
+        along = sorted((z, x, y) for x, y, z in positions)
+        walls += sum(z < diameter / 2 or z > length - diameter / 2 for z, _, _ in along)
     pairs = 0
     for i in range(len(positions)):
         z, x, y = along[i]

@@ -57,8 +57,7 @@ Run longest_run(const std::vector<bool>& marked, bool is_ring) {
 
 }  // namespace
 
-SliceProfile slice_profile(const CaseFacts& facts, const Snapshot& snapshot,
-                           const std::vector<double>& pressure_gradients) {
+SliceProfile empty_profile(const CaseFacts& facts, const std::vector<double>& pressure_gradients) {
   const auto n = static_cast<std::size_t>(facts.slice_count);
   SliceProfile profile;
   profile.slice_length = facts.pipe_length / facts.slice_count;
@@ -68,16 +67,28 @@ SliceProfile slice_profile(const CaseFacts& facts, const Snapshot& snapshot,
   profile.particles.assign(n, 0);
   profile.pressure_gradient = pressure_gradients;
   profile.pressure_gradient.resize(n, 0);
-  for (const Particle& p : snapshot.particles) {
-    if (!std::isfinite(p.position[2])) continue;  // only in the last frame of a run that blew up
-    const double place = std::clamp(p.position[2] / profile.slice_length, 0.0, facts.slice_count - 0.5);
-    const auto k = static_cast<std::size_t>(place);
-    ++profile.particles[k];
-    profile.axial_momentum[k] += p.velocity[2];
-  }
+  return profile;
+}
+
+void count_particle(SliceProfile& profile, double z, double axial_velocity) {
+  if (!std::isfinite(z)) return;  // only in the last frame of a run that blew up
+  const double last = static_cast<double>(profile.particles.size()) - 0.5;
+  const auto k = static_cast<std::size_t>(std::clamp(z / profile.slice_length, 0.0, last));
+  ++profile.particles[k];
+  profile.axial_momentum[k] += axial_velocity;
+}
+
+void set_solids_fractions(SliceProfile& profile, const CaseFacts& facts) {
   const double area = 3.14159265358979324 / 4 * facts.pipe_diameter * facts.pipe_diameter;
   for (int count : profile.particles)
     profile.solids_fraction.push_back(count * facts.solid_volume() / (area * profile.slice_length));
+}
+
+SliceProfile slice_profile(const CaseFacts& facts, const Snapshot& snapshot,
+                           const std::vector<double>& pressure_gradients) {
+  SliceProfile profile = empty_profile(facts, pressure_gradients);
+  for (const Particle& p : snapshot.particles) count_particle(profile, p.position[2], p.velocity[2]);
+  set_solids_fractions(profile, facts);
   return profile;
 }
 

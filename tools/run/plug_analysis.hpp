@@ -50,6 +50,12 @@ struct PlugResult {
   double pressure_drop;  ///< mean over all samples of the window, plug or not
 };
 
+/// A profile in three parts, for particles that are spread over several programs: no particles yet; one more of them,
+/// whose place may be anywhere; and solids fractions, once all particles are counted.
+SliceProfile empty_profile(const CaseFacts&, const std::vector<double>& pressure_gradients);
+void count_particle(SliceProfile&, double z, double axial_velocity);
+void set_solids_fractions(SliceProfile&, const CaseFacts&);
+
 SliceProfile slice_profile(const CaseFacts&, const Snapshot&, const std::vector<double>& pressure_gradients);
 PlugSample find_plug(const SliceProfile&, double time);
 

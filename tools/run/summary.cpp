@@ -34,9 +34,7 @@ Json energy(const CaseFacts& facts, const Outcome& outcome) {
           {"balance_error", entry(balance_error(outcome.start_energy, e))}};
 }
 
-Json plug(const Outcome& outcome) {
-  if (!outcome.plug) return nullptr;
-  const PlugResult& p = *outcome.plug;
+Json plug(const PlugResult& p) {
   return {{"front_velocity", number(p.front_velocity)},
           {"particle_velocity", number(p.particle_velocity)},
           {"length", number(p.length)},
@@ -69,6 +67,8 @@ Json particles(const Outcome& outcome) {
 
 }  // namespace
 
+std::string encode_plug(const PlugResult& result) { return plug(result).dump(2) + "\n"; }
+
 std::string encode_summary(const CaseFacts& facts, const Options& options, const Outcome& outcome) {
   const Observation& o = outcome.observation;
   Json capacity = Json::object();
@@ -100,7 +100,7 @@ std::string encode_summary(const CaseFacts& facts, const Options& options, const
                          {{"wall_time", outcome.wall_time},
                           {"kernel_time", outcome.kernel_time},
                           {"particle_steps_per_second", rate(facts, outcome)}}},
-                        {"plug", plug(outcome)},
+                        {"plug", outcome.plug ? plug(*outcome.plug) : Json(nullptr)},
                         {"collision", collision(outcome)},
                         {"particles", particles(outcome)}};
   return summary.dump(2) + "\n";

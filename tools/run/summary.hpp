@@ -26,6 +26,9 @@ struct Outcome {
   std::optional<Collision> collision;
 };
 
+/// The entry `plug` alone, as a JSON object.
+std::string encode_plug(const PlugResult&);
+
 std::string encode_summary(const CaseFacts&, const Options&, const Outcome&);
 
 /// A few lines for a person, printed after the table.

@@ -1,0 +1,111 @@
+"""The contact law in the words of LAMMPS: `pair_style granular` between spheres, `fix wall/gran granular` at walls.
+
+Written for the packaged version (29 Sep 2021), whose behaviour the traps are about:
+- A stiffness K of F_n = K overlap^(3/2) is given as K / sqrt(R), R the effective radius that LAMMPS multiplies with: r/2
+  between spheres, r at a flat wall, and inside a cylinder that of the sphere and of a radius of curvature of twice the
+  cylinder's. `hertz/material` is never used: its stiffnesses at walls are wrong there.
+- `damping tsuji` is eq. (26) with the reduced mass, but makes alpha from its argument by a polynomial. It is given the
+  argument for which that returns the alpha wanted. (`coeff_restitution` came with a later version.)
+- The damping of a wall is converted again by every `run` that makes a set-up: run once, or with `pre no`.
+
+Tangential forms: `mindlin` keeps a displacement, `mindlin/force` a force, `mindlin_rescale/force` a force that is lowered
+with the stiffness while unloading: the three of the kernel. Beyond Coulomb's bound LAMMPS caps the whole tangential force
+along the trial force, as `slider = "clip"` and "exact" do, but without capping the spring before. It lets the force act at
+the middle of the overlap instead of the radius.
+"""
+
+from case_values import damping_ratio
+
+TANGENTIAL = {"displacement": "mindlin", "force": "mindlin/force", "rescale": "mindlin_rescale/force"}
+LOOK_LIKE = "{what} cannot be given to LAMMPS: {why}; {advice}"
+
+
+def refusal(case):
+    """Why LAMMPS cannot be given this law or scene; None where it can."""
+
+    def words(what, why, advice):
+        return LOOK_LIKE.format(what=what, why=why, advice=advice)
+
+    if case["ends"] == "open":
+        return words('ends = "open"', "its box has walls or is periodic", 'choose [pipe] ends = "periodic" or "closed"')
+    if case["friction"] == 0:
+        pass  # neither slider nor tangential spring
+    elif case["slider"] == "paper":
+        return words('slider = "paper"', "it caps friction along the trial force", 'choose [contact] slider = "clip"')
+    elif case["normal"] == "linear" and case["tangential"] != "displacement":
+        return words(
+            f'tangential = "{case["tangential"]}" with normal = "linear"', "its linear spring keeps a displacement",
+            'choose [contact] tangential = "displacement", which is the same where the stiffness is constant',
+        )  # fmt: skip
+    if case["normal"] == "hertz" and case["restitution"] < 1:
+        for alpha in alphas(case):
+            if not tsuji_polynomial(1.0) <= alpha <= tsuji_polynomial(0.0):
+                return words(
+                    f"restitution = {case['restitution']:g}",
+                    f"alpha = {alpha:.4g} lies outside what `damping tsuji` can return, {tsuji_polynomial(1.0):.1g} to 1.27",
+                    "choose 1, or a [material] restitution between 0.12 and 0.9995",
+                )
+    return None
+
+
+def tsuji_polynomial(argument):
+    """What LAMMPS makes of the argument of `damping tsuji`: a fit of alpha(e), meant for the whole mass of a sphere."""
+    coefficients = (1.2728, -4.2783, 11.087, -22.348, 27.467, -18.022, 4.8218)
+    return sum(c * argument**power for power, c in enumerate(coefficients))
+
+
+def tsuji_argument(alpha):
+    """The argument for which LAMMPS damps with this alpha (bisection; the polynomial falls from 0 to 1)."""
+    low, high = 0.0, 1.0
+    if not tsuji_polynomial(high) <= alpha <= tsuji_polynomial(low):
+        raise SystemExit(f"damping: alpha = {alpha:.4g} cannot be given to LAMMPS (0.0003 to 1.27 can); raise [material] restitution")
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if tsuji_polynomial(middle) > alpha else (low, middle)
+    return (low + high) / 2
+
+
+def alphas(case):
+    """Of pairs and of walls, for the reduced mass that LAMMPS takes."""
+    alpha = 5**0.5 * damping_ratio(case["restitution"])
+    return alpha * (2**0.5 if case["damping_mass"] == "particle" else 1), alpha
+
+
+def hertz_contact(case, normal, tangential, root, alpha, friction):
+    """root: of the effective radius, which LAMMPS multiplies both stiffnesses with."""
+    damping = f"{tsuji_argument(alpha)!r}" if alpha else "0.0"
+    form = TANGENTIAL[case["tangential"]]
+    spring = f"{form} {tangential / root!r} 1.0 {friction!r}" if friction else "linear_nohistory 0.0 0.0"
+    return f"hertz {normal / root!r} {damping} tangential {spring} damping {'tsuji' if alpha else 'velocity'}"
+
+
+def linear_contact(case, law, damped_mass, friction):
+    if case["damping"] == "critical":  # eq. (23), in both directions
+        damping, share = 2 * (law.mass * law.normal_pair) ** 0.5, (law.tangential_pair / law.normal_pair) ** 0.5
+    else:
+        damping, share = 2 * damping_ratio(case["restitution"]) * (damped_mass * law.normal_pair) ** 0.5, 1.0
+    spring = f"linear_history {law.tangential_pair!r} {share!r} {friction!r}" if friction else "linear_nohistory 0.0 0.0"
+    return f"hooke {law.normal_pair!r} {damping!r} tangential {spring} damping velocity"
+
+
+def law_commands(case, law):
+    """Pair style, and a fix for each wall there is: `wall` the pipe, `ends` both flat ends of a closed one."""
+    cylinder = case["pipe_diameter"] / 2
+    pair_root, end_root = (law.radius / 2) ** 0.5, law.radius**0.5
+    pipe_root = (law.radius * 2 * cylinder / (2 * cylinder - law.radius)) ** 0.5
+    if case["normal"] == "linear":
+        pair_mass = law.mass / (2 if case["damping_mass"] == "reduced" else 1)
+        pair = linear_contact(case, law, pair_mass, law.friction)
+        pipe = end = linear_contact(case, law, law.mass, law.friction)
+    else:
+        pair_alpha, wall_alpha = alphas(case)
+        pair = hertz_contact(case, law.normal_pair, law.tangential_pair, pair_root, pair_alpha, law.friction)
+        pipe, end = (
+            hertz_contact(case, law.normal_wall, law.tangential_wall, root, wall_alpha, law.friction) for root in (pipe_root, end_root)
+        )
+    lines = ["pair_style granular", f"pair_coeff * * {pair}"]
+    if case["has_wall"]:
+        lines.append(f"fix wall all wall/gran granular {pipe} zcylinder {cylinder!r}")
+    if case["ends"] == "closed":
+        lines.append(f"fix ends all wall/gran granular {end} zplane 0.0 {case['pipe_length']!r}")
+    return lines
