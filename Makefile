@@ -201,6 +201,17 @@ test-lammps:  ## LAMMPS beside the kernel: impacts, trajectories, gas, ranks, ev
 	@tests/lammps/lammps_test.py --build $(build) --headers $(build) --impact-build $(lammps_impacts) --states $(lammps_test)/states \
 	  --out $(lammps_test)/runs $(if $(ONLY),--only $(ONLY)) $(if $(README),--readme tools/lammps/README.md)
 
+.PHONY: bench-scaling
+scaling_runs := $(foreach n,1 2 3,$(build)/bench-scaling-$n.json)
+scaling_sweep = out/scaling/sweep-on-$(1)
+bench-scaling:  ## throughput of one core, of a sweep on 1 and 2 cores, of LAMMPS on 1 and 2 ranks, and when to leave one core: bench/README.md
+	$(needs) run bench report sweep export mpi lammps
+	+@for json in $(scaling_runs); do $(MAKE) bench-set JSON=$$json FILTER='^step/bed/10+/double'; done
+	+@for n in 1 2; do rm -rf $(call scaling_sweep,$$n); $(MAKE) sweep SWEEP=cases/sweeps/bed_seeds.toml OUT=$(call scaling_sweep,$$n) JOBS=$$n; done
+	tools/scaling/bench_scaling.py --bench $(scaling_runs) --sweeps $(foreach n,1 2,$(call scaling_sweep,$n)/sweep.json) \
+	  --header $(build)/cases/pipe_bed.hpp --state out/pipe_bed/final.fixdem --out out/scaling/lammps --lmp '$(or $(LMP),lmp)' \
+	  --mpirun '$(MPIRUN)' --readme bench/README.md --picture bench/reports/scaling
+
 .PHONY: stability
 stability_out = $(if $(QUICK),$(stability)/page,bench/reports/$(case_name))
 stability:  ## how far CASE is from instability: page, tables and pictures in bench/reports/CASE; QUICK=1 is the part of it in make test

@@ -57,12 +57,12 @@ def lammps_rates(header, state_file, folder, lmp, mpirun, runs):
     return rates
 
 
-def sweep_rate(path):
-    outcome = json.loads(path.read_text())
+def sweep_of(path):
+    """The runs of the last call of make sweep."""
     try:
-        return outcome["particle_steps_per_second"], outcome["title"]
-    except KeyError as missing:
-        raise SystemExit(f"{path}: no {missing} in it: not what make sweep writes") from None
+        return json.loads(path.read_text())[-1]
+    except (OSError, ValueError, LookupError) as problem:
+        raise SystemExit(f"{path}: {problem}: not what make sweep writes") from None
 
 
 def million(rate):
@@ -71,9 +71,9 @@ def million(rate):
 
 def measured(core, sweeps, lammps):
     rows = [["fixdem, settled bed", f"{n:.0e}", "1 core", million(rate), ""] for n, rate in core.items()]
-    (first, title), (second, _) = sweeps
-    rows.append([f"sweep: {title}", "", "1 core", million(first), ""])
-    rows.append(["the same sweep", "", "2 cores", million(second), f"{second / first:.2f}"])
+    first, second = (sweep["particle_steps_per_second"] for sweep in sweeps)
+    rows.append([f"a sweep of {sweeps[0]['runs']} beds that settle", "1e+03 each", "1 core", million(first), ""])
+    rows.append(["the same sweep", "1e+03 each", "2 cores", million(second), f"{second / first:.2f}"])
     for (particles, ranks), rates in sorted(lammps.items()):
         gain = f"{max(rates) / max(lammps[particles, 1]):.2f}" if ranks > 1 else ""
         rows.append(["LAMMPS, settled bed", f"{particles:.0e}", f"{ranks} rank{'s' * (ranks > 1)}", million(max(rates)), gain])
@@ -153,7 +153,7 @@ def main():
     part = MarkedPart(chosen.readme, "scaling")
 
     rates, bytes_per_particle = one_core(chosen.bench)
-    sweeps = [sweep_rate(path) for path in chosen.sweeps]
+    sweeps = [sweep_of(path) for path in chosen.sweeps]
     lammps = lammps_rates(chosen.header, chosen.state, chosen.out, chosen.lmp, chosen.mpirun, chosen.runs)
     core = OneCore({n: 1 / rate for n, rate in rates.items()})
     ranks = ranks_from({n: n / max(values) for (n, p), values in lammps.items() if p == RANKS[-1]}, RANKS[-1])
