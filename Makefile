@@ -40,6 +40,7 @@ include tools/make/fuzz.mk
 include tools/make/check.mk
 include tools/make/run_report.mk
 include tools/make/figures.mk
+include tools/make/sweep.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
@@ -223,6 +224,12 @@ figures:  ## the paper's figures from runs of our own (those not yet made): case
 	+@$(MAKE) final-state CASE=settle OUT= SEED= ARGS=
 	@$(numpy_python) tools/figures/figures.py cases/README.md --out cases/gallery --programs $(build)/bin --impacts $(figure_impacts) \
 	  --decays $(figure_decays) --jobs $(JOBS)
+
+.PHONY: sweep
+sweep:  ## many runs of one case with values that vary: SWEEP=file; ENGINE=parallel (HOSTS=list) or slurm; JOBS=n at a time; only those missing
+	$(needs) run sweep $(filter slurm,$(ENGINE))
+	$(files) $(casegen)
+	+@$(sweep_python) tools/sweep/sweep.py '$(SWEEP)' $(sweep_options) --make '$(MAKE) $(parallel) SWEEP=$(SWEEP) OUT=$(sweep_out)'
 
 .PHONY: report
 report:  ## a page about the last run of CASE, or about a run made now: OUT/report.html, opens in any browser
