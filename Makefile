@@ -66,10 +66,11 @@ watch: run  ## the same with a live picture of the pipe in the terminal instead 
 
 .PHONY: test
 test:  ## build and run every test; ends with "N passed, M failed"
-	$(needs) run test $(if $(SAN),,frontier)
+	$(needs) run test $(if $(SAN),,frontier sweep)
 	+@$(MAKE) $(parallel) build-tests && { [ -n '$(SAN)' ] || $(MAKE) $(parallel) build-frontier CASE=settle QUICK=1; } || \
 	  { echo '0 passed, 1 failed'; exit 1; }
-	@FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' KILLS='$(if $(SAN),,100)' tests/run.sh '$(build)' '$(CXX)' $(test_flags)
+	@FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' KILLS='$(if $(SAN),,100)' SWEEP_PYTHON="$(if $(SAN),,$(sweep_python))" \
+	  tests/run.sh '$(build)' '$(CXX)' $(test_flags)
 
 .PHONY: soak
 soak:  ## kill runs at random moments, in writing too, and resume them, for TIME=600 seconds; prints the figures
@@ -230,6 +231,14 @@ sweep:  ## many runs of one case with values that vary: SWEEP=file; ENGINE=paral
 	$(needs) run sweep $(filter slurm,$(ENGINE))
 	$(files) $(casegen)
 	+@$(sweep_python) tools/sweep/sweep.py '$(SWEEP)' $(sweep_options) --make '$(MAKE) $(parallel) SWEEP=$(SWEEP) OUT=$(sweep_out)'
+
+.PHONY: test-sweep
+test-sweep:  ## sweeps over two hosts and through Slurm, with a host and a node that die in the middle; as root
+	$(needs) run sweep slurm clusters
+	$(files) $(casegen)
+	@$(sweep_python) tests/sweep/failing_test.py $(build)/scratch/sweep-failing
+	@$(sweep_python) tests/sweep/hosts_test.py $(build)/scratch/sweep-hosts
+	@$(sweep_python) tests/sweep/slurm_test.py $(build)/scratch/sweep-slurm
 
 .PHONY: report
 report:  ## a page about the last run of CASE, or about a run made now: OUT/report.html, opens in any browser

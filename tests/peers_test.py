@@ -14,10 +14,12 @@ from pathlib import Path
 root = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(root / "tools" / "peers"))
+sys.path.insert(0, str(root / "tests"))
 
 import report  # noqa: E402
 from case_values import law_of, read_case  # noqa: E402
 from checking import Check, check_bed, worst  # noqa: E402
+from counted import run_and_count  # noqa: E402
 from derived_cases import derived, with_value  # noqa: E402
 from peer_inputs import Stretch, data_file, script, tsuji_argument, tsuji_polynomial  # noqa: E402
 from states import Observed, State, count_contacts, read_dump, read_final  # noqa: E402
@@ -204,14 +206,5 @@ class Verdicts(WithFolder):
         self.assertEqual(path.read_text(), f"a\n{report.BEGIN}\nnew\n{report.END}\nb\n{report.END}\n")
 
 
-def main():
-    count_file, arguments = sys.argv[1:2], sys.argv[:1]
-    program = unittest.main(argv=arguments, exit=False, verbosity=0)
-    failed = len(program.result.failures) + len(program.result.errors)
-    if count_file:
-        Path(count_file[0]).write_text(f"{program.result.testsRun - failed} {failed}\n")
-    raise SystemExit(failed > 0)
-
-
 if __name__ == "__main__":
-    main()
+    run_and_count(*sys.argv[1:2])

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Runs the test program, one process per source file and as many at a time as there are cores, then the files that must
-# not compile, the freestanding and the stripped scene, the tests of tools/peers, the live picture and the quick forms of
+# not compile, the freestanding and the stripped scene, the tests of tools/peers, kills, sweeps, the live picture and the quick forms of
 # make stability and make frontier; ends with one line, `N passed, M failed`. The output of a source file is shown when
 # something in it fails.
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
-# Environment: FRONTIER, folder of the programs of `make frontier QUICK=1`; KILLS, how often tests/kill_test.py kills. What is
-# empty is left out.
+# Environment: FRONTIER, folder of the programs of `make frontier QUICK=1`; KILLS, how often tests/kill_test.py kills; SWEEP_PYTHON,
+# the python3 of tests/sweep/sweep_test.py. What is empty is left out.
 set -euo pipefail
 
 build=$1
@@ -68,6 +68,8 @@ run_part footprint_test.py tests/footprint_test.py "$reports/footprint_test.py.c
 run_part peers_test.py tests/peers_test.py "$reports/peers_test.py.count"
 [[ -z ${KILLS:-} ]] || run_part kill_test.py tests/kill_test.py "$build/bin" "$build/scratch/kill" --kills "$KILLS" \
   --count "$reports/kill_test.py.count"
+[[ -z ${SWEEP_PYTHON:-} ]] || run_part sweep_test.py "$SWEEP_PYTHON" tests/sweep/sweep_test.py "$build/casegen" "$build/scratch/sweep" \
+  "$reports/sweep_test.py.count"
 run_part watch_test.py tests/watch_test.py "$build/bin/settle" "$build/scratch/watch" "$reports/watch_test.py.count"
 run_part quick_stability quick_stability
 [[ -z ${FRONTIER:-} ]] || run_part quick_frontier quick_frontier

@@ -59,13 +59,21 @@ def digest(path):
 
 
 def particle_steps(summary):
-    """How many the program has done since it was last started, from its own figures of speed."""
+    """Steps of the whole run times its particles, from its own figures of speed."""
     speed = summary["performance"]
-    return (speed["particle_steps_per_second"] or 0.0) * speed["kernel_time"]
+    return round((speed["particle_steps_per_second"] or 0.0) * speed["kernel_time"])
 
 
 class Superseded(Exception):
     """Another process has taken the run over."""
+
+
+@dataclass
+class Beginning:
+    """Of a program that is started: the step that it goes on from, and the time by the clock of the file system."""
+
+    step: int
+    time: float
 
 
 @dataclass
@@ -102,11 +110,13 @@ class KeptRun:
         return json.loads((self.folder / "summary.json").read_text())
 
     def write(self, **entries):
+        """The moment of it, by the clock of the file system."""
         write_whole(self.record_path, json.dumps({"fingerprint": self.fingerprint(), **entries}, indent=1) + "\n")
+        return self.record_path.stat().st_mtime
 
     def fail(self, message):
         """For a run that cannot even be started."""
-        self.write(state="failed", owner=owner_here(), exit_code=None, message=message, seconds=0.0, particle_steps=0.0)
+        self.write(state="failed", owner=owner_here(), exit_code=None, message=message, seconds=0.0, particle_steps=0)
 
     def complete(self):
         """Brings the run to its end unless it is there; returns its record, whose state is not `running`."""
@@ -139,8 +149,7 @@ class KeptRun:
     def attempt(self, resume):
         """One start of the program; its exit code and its last words, which the record has, too."""
         owner, begin = owner_here(), time.monotonic()
-        self.write(state="running", owner=owner)
-        began = self.record_path.stat().st_mtime  # by the clock of the file system
+        began = Beginning(self.last_checkpoint() if resume else 0, self.write(state="running", owner=owner))
         command = [*stopped_with_us(), self.program, "--out", self.folder, "--quiet", *self.options, *self.harmless]
         command += ["--start-state", self.start_state] if self.start_state else []
         with tempfile.TemporaryFile("w+", errors="replace") as said:
@@ -176,12 +185,17 @@ class KeptRun:
                 self.write(state="stopped", owner=owner, exit_code=code, message="stopped", seconds=0.0, particle_steps=self.steps_since(began))
             raise
 
+    def last_checkpoint(self):
+        """Its step; 0 where there is none and a run begins at its beginning."""
+        return max((int(path.stem.split("-")[1]) for path in self.folder.glob("checkpoint-*.fixdem")), default=0)
+
     def steps_since(self, began):
         """Particle-steps of the program that was started then; zero when it died without a summary."""
-        with contextlib.suppress(OSError, ValueError, KeyError):
-            if (self.folder / "summary.json").stat().st_mtime >= began:
-                return particle_steps(self.summary())
-        return 0.0
+        with contextlib.suppress(OSError, ValueError, KeyError, ZeroDivisionError):
+            if (self.folder / "summary.json").stat().st_mtime >= began.time:
+                summary = self.summary()
+                return round(particle_steps(summary) * (1 - began.step / summary["steps"]))
+        return 0
 
 
 def owner_here():

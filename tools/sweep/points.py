@@ -6,7 +6,7 @@ in front to that case alone.
 
 Two keys are run-time values (RUN_TIME): options of a program, nothing that is compiled into it. Points that differ in
 nothing else share a program, and points that start alike share the run that they start from. Each program is compiled
-from a derived case, a file named after the values that vary: plug_u24+bulk_velocity@1.7+count@500. A run has the run-time values in
+from a derived case, a file named after the values that vary: plug_u24-bulk_velocity_1p7-count_500. A run has the run-time values in
 its name as well, its own and those of the run that it starts from.
 """
 
@@ -43,9 +43,15 @@ class Plan:
 
 
 def text_of(value):
-    """A value as part of a file's name."""
-    text = f"{value:.12g}" if isinstance(value, float) else "-".join(map(text_of, value)) if isinstance(value, list) else str(value)
-    return re.sub(r"[^\w.+-]+", "_", text.lower() if isinstance(value, bool) else text)
+    """A value for people."""
+    if isinstance(value, list):
+        return f"[{', '.join(map(text_of, value))}]"
+    return f"{value:.12g}" if isinstance(value, float) else str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def name_of(value):
+    """A value as part of the name of a case, which has letters, digits, _ and - only: 1.7 is 1p7."""
+    return re.sub(r"[^A-Za-z0-9_-]+", "_", text_of(value).replace("+", "").replace(".", "p")).strip("_")
 
 
 def short_names(keys):
@@ -105,7 +111,7 @@ class Planner:
 
     def label(self, keys):
         """The part of a name that says which of several points this is; what stays the same is left out."""
-        return "".join(f"+{self.names[key]}@{text_of(value)}" for key, value in keys.items() if key in self.sweep.axes)
+        return "".join(f"-{name_of(self.names[key])}_{name_of(value)}" for key, value in keys.items() if key in self.sweep.axes)
 
     def all(self):
         fixed, axes = self.sweep.fixed, self.sweep.axes
