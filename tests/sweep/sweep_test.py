@@ -84,6 +84,13 @@ class Points(WithFolder):
         self.assertEqual((fill["run"]["duration"], plug["run"]["duration"]), (1.2, 1.2))  # run-time values are not compiled in
         self.assertEqual(plan.jobs["fill_1000-seed_2"].options, ["--duration", "0.05", "--seed", "2"])
 
+    def test_points_that_start_from_differing_cases_have_differing_names(self):
+        plan = self.plan(PLUG + '[vary]\n"fill_1000.pipe.length" = [1.5, 2.0]\n"fill_1000.run.duration" = [1.0, 1.2]')
+        self.assertEqual(len({name for _, name in plan.points}), 4)
+        job = plan.jobs["plug_u24-length_1p5-duration_1p2"]
+        self.assertEqual((job.program, job.start), ("plug_u24-length_1p5", "fill_1000-length_1p5-duration_1p2"))
+        self.assertEqual(plan.cases[job.program]["pipe"]["length"], 0.8)
+
     def test_an_unchanged_base_case_keeps_every_value(self):
         plan = self.plan('base = "plug_u24"\n[vary]\nstart.seed = [1]')
         shutil.copy(CASES / "fill_1000.toml", self.folder)

@@ -37,7 +37,7 @@ class Parallel:
         command = ["parallel", "--will-cite", "--line-buffer", "--retries", "3", "--termseq", "TERM,10000,KILL,25"]
         command += ["--jobs", str(self.jobs or "100%")]
         if self.hosts:
-            command += ["--sshloginfile", str(self.hosts), "--ssh", self.ssh, "--workdir", str(Path.cwd())]
+            command += ["--sshloginfile", str(Path(self.hosts).resolve()), "--ssh", self.ssh, "--workdir", str(Path.cwd())]
         command += ["python3", str(JOB), str(self.out)]
         process = subprocess.Popen(command, stdin=subprocess.PIPE, text=True)
         try:

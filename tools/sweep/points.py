@@ -111,7 +111,7 @@ class Planner:
 
     def label(self, keys):
         """The part of a name that says which of several points this is; what stays the same is left out."""
-        return "".join(f"-{name_of(self.names[key])}_{name_of(value)}" for key, value in keys.items() if key in self.sweep.axes)
+        return "".join(f"-{name_of(self.names[key])}_{name_of(keys[key])}" for key in self.sweep.axes if key in keys)
 
     def all(self):
         fixed, axes = self.sweep.fixed, self.sweep.axes
@@ -126,7 +126,7 @@ class Planner:
 
     def add(self, values):
         """The jobs of a point, those that it starts from first; returns the name of its own."""
-        chain, before, run_label = self.chain(values), None, ""
+        chain, before, run_label, named = self.chain(values), None, "", {}
         for place in reversed(range(len(chain))):
             name, case = chain[place]
             mine = {key: value for key, value in values.items() if applies_to(key, name, place, len(chain))}
@@ -135,7 +135,8 @@ class Planner:
             case = with_values(case, {key[-2:]: value for key, value in compiled.items()})
             if before:
                 case["start"]["from"] = before.program
-            program = self.program(name + self.label(compiled), case, compiled)
+            named |= compiled  # also of those that it starts from
+            program = self.program(name + self.label(named), case, compiled)
             run_label += self.label(run_time)
             before = self.job(program, program + run_label, {key[-2:]: value for key, value in run_time.items()}, before)
         return before.name
