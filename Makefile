@@ -41,6 +41,7 @@ include tools/make/check.mk
 include tools/make/run_report.mk
 include tools/make/figures.mk
 include tools/make/lammps.mk
+include tools/make/sweep.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))
@@ -66,10 +67,11 @@ watch: run  ## the same with a live picture of the pipe in the terminal instead 
 
 .PHONY: test
 test:  ## build and run every test; ends with "N passed, M failed"
-	$(needs) run test $(if $(SAN),,frontier)
+	$(needs) run test $(if $(SAN),,frontier sweep)
 	+@$(MAKE) $(parallel) build-tests && { [ -n '$(SAN)' ] || $(MAKE) $(parallel) build-frontier CASE=settle QUICK=1; } || \
 	  { echo '0 passed, 1 failed'; exit 1; }
-	@FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' KILLS='$(if $(SAN),,100)' tests/run.sh '$(build)' '$(CXX)' $(test_flags)
+	@FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' KILLS='$(if $(SAN),,100)' SWEEP_PYTHON="$(if $(SAN),,$(sweep_python))" \
+	  tests/run.sh '$(build)' '$(CXX)' $(test_flags)
 
 .PHONY: soak
 soak:  ## kill runs at random moments, in writing too, and resume them, for TIME=600 seconds; prints the figures
@@ -260,6 +262,20 @@ figures:  ## the paper's figures from runs of our own (those not yet made): case
 	+@$(MAKE) final-state CASE=settle OUT= SEED= ARGS=
 	@$(numpy_python) tools/figures/figures.py cases/README.md --out cases/gallery --programs $(build)/bin --impacts $(figure_impacts) \
 	  --decays $(figure_decays) --jobs $(JOBS)
+
+.PHONY: sweep
+sweep:  ## many runs of one case with values that vary: SWEEP=file; ENGINE=parallel (HOSTS=list) or slurm; JOBS=n at a time; only those missing
+	$(needs) run sweep $(filter slurm,$(ENGINE))
+	$(files) $(casegen)
+	+@$(sweep_python) tools/sweep/sweep.py '$(SWEEP)' $(sweep_options) --make '$(MAKE) $(parallel) SWEEP=$(SWEEP) OUT=$(sweep_out)'
+
+.PHONY: test-sweep
+test-sweep:  ## sweeps over two hosts and through Slurm, with a host and a node that die in the middle; as root
+	$(needs) run sweep slurm clusters
+	$(files) $(casegen)
+	@$(sweep_python) tests/sweep/failing_test.py $(build)/scratch/sweep-failing
+	@$(sweep_python) tests/sweep/hosts_test.py $(build)/scratch/sweep-hosts
+	@$(sweep_python) tests/sweep/slurm_test.py $(build)/scratch/sweep-slurm
 
 .PHONY: report
 report:  ## a page about the last run of CASE, or about a run made now: OUT/report.html, opens in any browser

@@ -20,13 +20,9 @@ import report  # noqa: E402
 from case_values import law_of, read_case  # noqa: E402
 from checking import Check, check_bed, worst  # noqa: E402
 from derived_cases import derived, with_value  # noqa: E402
-<<<<<<< HEAD
-from marked_part import MarkedPart  # noqa: E402
-from peer_inputs import Stretch, data_file, script, tsuji_argument, tsuji_polynomial  # noqa: E402
-=======
 from lammps_law import tsuji_argument, tsuji_polynomial  # noqa: E402
+from marked_part import MarkedPart  # noqa: E402
 from peer_inputs import Stretch, data_file, script  # noqa: E402
->>>>>>> f51d9d0de9b9e7fa6808587944b2cf52eb223ebe
 from states import Observed, State, count_contacts, read_dump, read_final  # noqa: E402
 
 HEADER = """

@@ -5,8 +5,8 @@
 # shown when something in it fails.
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
-# Environment: FRONTIER, folder of the programs of `make frontier QUICK=1`; KILLS, how often tests/kill_test.py kills. What is
-# empty is left out.
+# Environment: FRONTIER, folder of the programs of `make frontier QUICK=1`; KILLS, how often tests/kill_test.py kills; SWEEP_PYTHON,
+# the python3 of tests/sweep/sweep_test.py. What is empty is left out.
 set -euo pipefail
 
 build=$1
@@ -70,6 +70,8 @@ run_part scaling_test.py tests/scaling_test.py "$reports/scaling_test.py.count"
 run_part lammps_files_test.py tests/lammps_files_test.py "$build" "$reports/lammps_files_test.py.count"
 [[ -z ${KILLS:-} ]] || run_part kill_test.py tests/kill_test.py "$build/bin" "$build/scratch/kill" --kills "$KILLS" \
   --count "$reports/kill_test.py.count"
+[[ -z ${SWEEP_PYTHON:-} ]] || run_part sweep_test.py "$SWEEP_PYTHON" tests/sweep/sweep_test.py "$build/casegen" "$build/scratch/sweep" \
+  "$reports/sweep_test.py.count"
 run_part watch_test.py tests/watch_test.py "$build/bin/settle" "$build/scratch/watch" "$reports/watch_test.py.count"
 run_part quick_stability quick_stability
 [[ -z ${FRONTIER:-} ]] || run_part quick_frontier quick_frontier

@@ -9,6 +9,13 @@ from plug_verdict import verdict
 
 GRAVITY = 9.81  # m/s2
 SERIES = {"10 mm": {1.7: "plug_u17", 2.4: "plug_u24"}, "3 mm": {1.7: "plug_u17_d3", 2.4: "plug_u24_d3"}}
+PLUG_VELOCITY_LABELS = ("gas velocity U, m/s", "plug velocity, m/s")
+POINTS = (7, 4, 9, 5, 11)  # gnuplot's point types
+
+
+def layer_of_plug(velocity):
+    """Eq. (41): A_d / A behind a plug whose particles move at `velocity`, in units of sqrt(g D)."""
+    return 1 / (1 + 1.84 * velocity)
 
 
 def velocities(summaries, case):
@@ -19,18 +26,42 @@ def mean(values):
     return sum(values) / len(values)
 
 
-def fig_13(summaries, out):
-    found, seeds = {}, sorted({seed for _, seed in summaries})
+def means_picture(series, path, x_label, y_label, ranges="", apart=None):
+    """series: name -> {x: values there}. A point for the mean, a bar from the least to the greatest; series stand `apart` so that bars
+    do not hide one another. `ranges`: commands of gnuplot."""
+    every = [x for at in series.values() for x in at]
+    apart = 0.01 * (max(every) - min(every)) if apart is None else apart
     with Data() as data:
         curves = []
-        for k, (name, cases) in enumerate(SERIES.items()):
-            found[name] = {gas: velocities(summaries, case) for gas, case in cases.items()}
-            rows = [(gas + 0.01 * (2 * k - 1), mean(w), min(w), max(w)) for gas, w in found[name].items()]
-            curves.append(f"'{data.file(rows)}' with yerrorlines linewidth 1.5 pointtype {7 - 3 * k} linecolor {k + 1} dashtype {k + 1} title 'd = {name} in eq. (33)'")
+        for k, (name, at) in enumerate(series.items()):
+            shift = apart * (k - (len(series) - 1) / 2)
+            rows = [(x + shift, mean(values), min(values), max(values)) for x, values in sorted(at.items())]
+            look = f"linewidth 1.5 pointtype {POINTS[k % len(POINTS)]} linecolor {k % 7 + 1} dashtype {k % 5 + 1}"
+            curves.append(f"'{data.file(rows)}' with yerrorlines {look} title '{name}' noenhanced")
+        gnuplot(f"set xlabel '{x_label}' noenhanced\nset ylabel '{y_label}' noenhanced\n{ranges}set key left top\nplot {', '.join(curves)}", path)
+
+
+def layer_picture(points, path):
+    """points: name -> [(V_p / sqrt(g D), area ratio)], beside eq. (41)."""
+    curve = [(0.01 * k, layer_of_plug(0.01 * k)) for k in range(301)]
+    with Data() as data:
+        curves = [f"'{data.file(curve)}' with lines linewidth 2 linecolor 'black' title 'eq. (41)'"]
+        curves += [
+            f"'{data.file(rows)}' with points pointtype {POINTS[k % len(POINTS)]} linecolor {k % 7 + 1} title '{name}' noenhanced"
+            for k, (name, rows) in enumerate(points.items())
+        ]
         gnuplot(
-            "set xlabel 'gas velocity U, m/s'\nset ylabel 'plug velocity, m/s'\nset xrange [0:3]\nset yrange [0:2]\nset key left top\nplot " + ", ".join(curves),
-            out / "fig_13",
+            "set xlabel 'V_p / (g D)^{1/2}'\nset ylabel 'area of the layer over that of the pipe, A_d / A'\n"
+            f"set xrange [0:3]\nset yrange [0:1]\nset key right top\nplot {', '.join(curves)}",
+            path,
         )
+
+
+def fig_13(summaries, out):
+    seeds = sorted({seed for _, seed in summaries})
+    found = {name: {gas: velocities(summaries, case) for gas, case in cases.items()} for name, cases in SERIES.items()}
+    series = {f"d = {name} in eq. (33)": at for name, at in found.items()}
+    means_picture(series, out / "fig_13", *PLUG_VELOCITY_LABELS, "set xrange [0:3]\nset yrange [0:2]\n", 0.02)
     modified, plain = mean(found["3 mm"][1.7]), mean(found["10 mm"][2.4])
     died = all(verdict(s["plug"]) == "dies" for (name, _), s in summaries.items() if name == "plug_u17")
     return (
@@ -44,22 +75,13 @@ def fig_13(summaries, out):
 
 def fig_15(summaries, pipe, out):
     scale = (GRAVITY * pipe["diameter"]) ** 0.5
-    curve = [(0.01 * k, 1 / (1 + 1.84 * 0.01 * k)) for k in range(301)]
     points, off = {}, []
     for (case, _), summary in summaries.items():
         plug = summary["plug"]
         if verdict(plug) == "moves":
             points.setdefault(case, []).append((plug["particle_velocity"] / scale, plug["layer_area_ratio"]))
-            off.append(plug["layer_area_ratio"] - 1 / (1 + 1.84 * plug["particle_velocity"] / scale))
-    with Data() as data:
-        curves = [f"'{data.file(curve)}' with lines linewidth 2 linecolor 'black' title 'eq. (41)'"]
-        curves += [
-            f"'{data.file(rows)}' with points pointtype {(7, 4, 9)[k % 3]} linecolor {k + 1} title '{case}' noenhanced" for k, (case, rows) in enumerate(points.items())
-        ]
-        gnuplot(
-            "set xlabel 'V_p / (g D)^{1/2}'\nset ylabel 'area of the layer over that of the pipe, A_d / A'\nset xrange [0:3]\nset yrange [0:1]\nset key right top\nplot " + ", ".join(curves),
-            out / "fig_15",
-        )
+            off.append(plug["layer_area_ratio"] - layer_of_plug(plug["particle_velocity"] / scale))
+    layer_picture(points, out / "fig_15")
     slow = [abs(o) for o, (case, _) in zip(off, [(c, p) for c, ps in points.items() for p in ps]) if case != "plug_u24_d3"]
     fast = [o for o, (case, _) in zip(off, [(c, p) for c, ps in points.items() for p in ps]) if case == "plug_u24_d3"]
     return (

@@ -22,8 +22,9 @@ $(page_bundle)/page.js: $(page_sources) tools/run_report/package-lock.json | $(p
 	$(quiet)$(page_folder)/node_modules/.bin/esbuild $(page_folder)/source/main.js --bundle --minify --format=esm --charset=utf8 \
 	  --target=es2022 --legal-comments=eof --log-level=warning --outfile=$@
 
-# The python3 that has NumPy: the first of the path, or else the system's own, which packages bring it to.
-numpy_python = $$(python3 -c 'import numpy' 2>/dev/null && echo python3 || echo /usr/bin/python3)
+# The python3 that has a module: the first of the path, or else the system's own, which packages bring it to.
+python_with = $$(python3 -c 'import $(1)' 2>/dev/null && echo python3 || echo /usr/bin/python3)
+numpy_python = $(call python_with,numpy)
 
 .PHONY: build-page
 build-page: $(page_bundle)/page.js

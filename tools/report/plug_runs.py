@@ -1,13 +1,13 @@
 """Runs of the five plugs from several seeds of their fills, shared by make plug-table and make figures.
 
-A run lies in OUT/CASE-seedN and is made once: again only when its program, or the state that it starts from, is newer than its
-results. Frames are written for the first seed only, for pictures. SI units, quantities are those of summary.json
-(tools/README.md).
+A run lies in OUT/CASE-seedN and is made once (kept_run.py): again only when its program, or the state that it starts from, is
+another; one that was stopped goes on. Frames are written for the first seed only, for pictures. SI units, quantities are those of
+summary.json (tools/README.md).
 """
 
-import json
-import subprocess
 from concurrent.futures import ThreadPoolExecutor
+
+from kept_run import KeptRun
 
 PLUGS = {  # plug: the fill it starts from
     "plug_u24": "fill_1000",
@@ -18,13 +18,6 @@ PLUGS = {  # plug: the fill it starts from
 }
 
 
-def is_fresh(folder, older, frames):
-    """Whether what lies in a folder was made after all files in `older`."""
-    summary = folder / "summary.json"
-    wanted = [summary, folder / "final.fixdem"] + ([folder / "frames.pvd"] if frames else [])
-    return all(path.exists() for path in wanted) and all(path.stat().st_mtime < summary.stat().st_mtime for path in older)
-
-
 class PlugRuns:
     def __init__(self, programs, out, seeds, jobs=2):
         self.programs, self.out, self.seeds, self.jobs = programs, out, seeds, jobs
@@ -32,23 +25,21 @@ class PlugRuns:
     def folder(self, case, seed):
         return self.out / f"{case}-seed{seed}"
 
-    def run(self, case, seed, older, *options):
-        program, folder = self.programs / case, self.folder(case, seed)
+    def run(self, case, seed, start_state=None, options=()):
         frames = case in PLUGS and seed == self.seeds[0]
-        if not is_fresh(folder, [program, *older], frames):
-            command = [program, "--out", folder, "--quiet", *([] if frames else ["--no-frames"]), *options]
-            done = subprocess.run(command, check=False, capture_output=True, text=True)
-            if done.returncode != 0:
-                raise SystemExit(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stderr}")
-            print(f"{folder}: done", flush=True)
-        return json.loads((folder / "summary.json").read_text())
+        run = KeptRun(self.folder(case, seed), self.programs / case, (*options, *([] if frames else ["--no-frames"])), start_state)
+        if not run.is_over(run.read()):
+            record = run.complete()
+            if record["state"] != "done":
+                raise SystemExit(f"{run.program}, results in {run.folder}: exit code {record['exit_code']}\n{record['message']}")
+            print(f"{run.folder}: done", flush=True)
+        return run.summary()
 
     def fill(self, case, seed):
-        return self.run(case, seed, [], "--seed", str(seed))
+        return self.run(case, seed, options=("--seed", str(seed)))
 
     def plug(self, case, seed):
-        state = self.folder(PLUGS[case], seed) / "final.fixdem"
-        return self.run(case, seed, [state], "--start-state", state)
+        return self.run(case, seed, self.folder(PLUGS[case], seed) / "final.fixdem")
 
     def all(self):
         """(plug, seed) -> its summary; as many programs at a time as there are jobs, fills first."""

@@ -1,0 +1,298 @@
+#!/usr/bin/env python3
+"""Sweeps: points and programs that follow from a sweep file, what is refused, runs that are made once, and a small sweep over GNU
+parallel, stopped and killed in the middle, that must end in the bytes of an undisturbed one.
+
+Usage: tests/sweep/sweep_test.py CASEGEN SCRATCH [COUNT_FILE]. Writes "PASSED FAILED" to COUNT_FILE. Exit code: 0 when all passed.
+"""
+
+import csv
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import tomli_w
+
+root = Path(__file__).resolve().parent.parent.parent
+sys.dont_write_bytecode = True
+for folder in ("tools/sweep", "tools/report", "tests"):
+    sys.path.insert(0, str(root / folder))
+
+import kept_run  # noqa: E402
+from counted import run_and_count  # noqa: E402
+from kept_run import KeptRun  # noqa: E402
+from points import plan_of  # noqa: E402
+from sweep_file import Refused, read_sweep  # noqa: E402
+from sweep_runs import SMALL, SweepRuns, different, interrupt, wait_for  # noqa: E402
+
+CASES = root / "cases"
+casegen, scratch = (Path(argument).resolve() for argument in sys.argv[1:3])
+PLUG = 'base = "plug_u24"\n'
+
+
+class WithFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def plan(self, text):
+        return plan_of(read_sweep(self.write("sweep.toml", text), CASES))
+
+
+class Points(WithFolder):
+    def test_lists_and_ranges_give_all_combinations_in_order(self):
+        plan = self.plan(PLUG + '[vary]\ngas.bulk_velocity = {from = 1.7, to = 2.4, points = 3}\n"gas.bed_diameter" = [0.01, 0.003]')
+        self.assertEqual([values for values, _ in plan.points], [(u, d) for u in (1.7, 2.05, 2.4) for d in (0.01, 0.003)])
+
+    def test_a_range_by_step_is_rounded_and_ends_where_it_must(self):
+        axes = read_sweep(self.write("s.toml", PLUG + "[vary]\ngas.bulk_velocity = {from = 1.8, to = 2.4, step = 0.2}\n"
+                                     "particles.count = {from = 100, to = 60, step = -15}"), CASES).axes
+        self.assertEqual(axes["gas", "bulk_velocity"], [1.8, 2.0, 2.2, 2.4])
+        self.assertEqual(axes["particles", "count"], [100, 85, 70])
+        self.assertTrue(all(isinstance(count, int) for count in axes["particles", "count"]))
+
+    def test_points_that_differ_in_run_time_values_share_a_program(self):
+        plan = self.plan('base = "settle"\n[vary]\nstart.seed = [1, 2, 3]\nrun.duration = [0.1, 0.2]\nmaterial.friction = [0.2, 0.3]')
+        self.assertEqual((len(plan.points), len(plan.jobs), len(plan.cases)), (12, 12, 2))
+        job = plan.jobs["settle-friction_0p2-seed_3-duration_0p1"]
+        self.assertEqual((job.program, job.options), ("settle-friction_0p2", ["--seed", "3", "--duration", "0.1"]))
+
+    def test_the_case_that_it_starts_from_gets_particles_material_and_seed_but_no_gas(self):
+        plan = self.plan(PLUG + "[vary]\nparticles.count = [500, 1000]\nstart.seed = [1, 2]\ngas.bulk_velocity = [1.7, 2.4]\n[set]\nmaterial.friction = 0.2")
+        self.assertEqual((len(plan.points), len(plan.jobs), len(plan.cases)), (8, 12, 6))
+        fill = plan.cases["fill_1000-count_500"]
+        self.assertEqual((fill["particles"]["count"], fill["material"]["friction"], "gas" in fill), (500, 0.2, False))
+        job = plan.jobs["plug_u24-count_500-bulk_velocity_1p7-seed_2"]
+        self.assertEqual((job.start, job.options, job.stage), ("fill_1000-count_500-seed_2", [], 1))
+        self.assertEqual(plan.jobs[job.start].options, ["--seed", "2"])
+        self.assertEqual(plan.cases[job.program]["start"]["from"], "fill_1000-count_500")
+
+    def test_a_key_with_the_name_of_a_case_goes_to_that_alone(self):
+        plan = plan_of(read_sweep(SMALL, CASES))
+        fill, plug = plan.cases["fill_1000"], plan.cases["plug_u24-bulk_velocity_2p4"]
+        self.assertEqual((fill["pipe"]["length"], plug["pipe"]["length"]), (0.2, 0.2))
+        self.assertEqual((fill["run"]["duration"], plug["run"]["duration"]), (1.2, 1.2))  # run-time values are not compiled in
+        self.assertEqual(plan.jobs["fill_1000-seed_2"].options, ["--duration", "0.05", "--seed", "2"])
+
+    def test_points_that_start_from_differing_cases_have_differing_names(self):
+        plan = self.plan(PLUG + '[vary]\n"fill_1000.pipe.length" = [1.5, 2.0]\n"fill_1000.run.duration" = [1.0, 1.2]')
+        self.assertEqual(len({name for _, name in plan.points}), 4)
+        job = plan.jobs["plug_u24-length_1p5-duration_1p2"]
+        self.assertEqual((job.program, job.start), ("plug_u24-length_1p5", "fill_1000-length_1p5-duration_1p2"))
+        self.assertEqual(plan.cases[job.program]["pipe"]["length"], 0.8)
+
+    def test_an_unchanged_base_case_keeps_every_value(self):
+        plan = self.plan('base = "plug_u24"\n[vary]\nstart.seed = [1]')
+        shutil.copy(CASES / "fill_1000.toml", self.folder)
+        headers = []
+        for label, text in (("derived", tomli_w.dumps(plan.cases["plug_u24"])), ("shipped", (CASES / "plug_u24.toml").read_text())):
+            path = self.write("plug_u24.toml", text)
+            said = subprocess.run([casegen, path, "--print"], capture_output=True, text=True, check=True).stdout
+            headers.append([line for line in said.splitlines() if "xxh64" not in line and "source_hash" not in line])
+        self.assertEqual(*headers)
+
+
+class Refusals(WithFolder):
+    def refused(self, text, words):
+        with self.assertRaisesRegex(Refused, words) as caught:
+            self.plan(text)
+        self.assertEqual(caught.exception.code, 3)
+        self.assertIn(str(self.folder), str(caught.exception))
+
+    def test_what_makes_no_sense_in_a_sweep_file(self):
+        vary = "[vary]\nstart.seed = [1]\n"
+        for text, words in (
+            ("[vary\n", "not TOML: .*line 1"),
+            ('base = "plug_u25"\n' + vary, "no case file .*\n  did you mean 'plug_u24'"),
+            (vary, "base: None"),
+            (PLUG, r"\[vary\]: nothing to vary"),
+            (PLUG + "varied = 1\n" + vary, "varied: unknown key\n  did you mean 'vary'"),
+            (PLUG + "checkpoint_interval = 0\n" + vary, "checkpoint_interval: 0\n"),
+            (PLUG + "frames = 1\n" + vary, "frames: 1\n  allowed: true or false"),
+            (PLUG + "[vary]\ncount = [1]", r"\[vary\] count: not the key of a case"),
+            (PLUG + "[vary]\nstart.seed = 1", r"start.seed: 1\n  allowed: a list"),
+            (PLUG + "[vary]\nstart.seed = []", "start.seed: "),
+            (PLUG + "[vary]\nstart.seed = [1, 2, 1]", "start.seed: 1 twice"),
+            (PLUG + "[vary]\nstart.seed = {from = 1, to = 3}", "incomplete range"),
+            (PLUG + "[vary]\nstart.seed = {from = 1, to = 3, step = 0}", "step = 0 does not lead"),
+            (PLUG + "[vary]\nstart.seed = {from = 1, to = 3, step = -1}", "step = -1 does not lead"),
+            (PLUG + "[vary]\nstart.seed = {from = 1, to = 3, points = 1}", "points = 1\n"),
+            (PLUG + "[vary]\nstart.seed = {from = 1, to = 1e9, step = 1}", "more than 100000 values"),
+            (PLUG + "[vary]\nstart.seed = {from = 1, to = nan, points = 3}", "to = nan"),
+            (PLUG + vary + "[set]\nstart.seed = 2", "start.seed: in .vary. and in .set."),
+            (PLUG + vary + '[set]\n"fill_500.run.duration" = 2.0', "'fill_500' is not a case of this sweep\n  allowed: plug_u24, fill_1000"),
+            (PLUG + vary + '[plot]\nx = "gas.bulk_velocity"', "'gas.bulk_velocity' is not varied\n  allowed: start.seed"),
+            (PLUG + '[vary]\nstart.motion = ["st op", "st_op"]', "two points would both be called"),
+        ):
+            with self.subTest(text=text):
+                self.refused(text, words)
+
+    def sweep(self, path, *options):
+        command = [sys.executable, root / "tools/sweep/sweep.py", path, "--out", self.folder / "out", "--casegen", casegen,
+                   "--programs", self.folder, "--make", "false", *options]  # fmt: skip
+        done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=False)
+        return done.returncode, done.stderr
+
+    def test_casegen_refuses_what_makes_no_sense_in_a_case(self):
+        for line, words in (
+            ("gas.bulk_speed = [1.0]", "unknown key 'bulk_speed' in [gas]"),
+            ("particles.count = [10, -1]", "fill_1000-count_-1"),
+            ("run.duration = [-1.0]", "duration = -1 in [run] is out of range"),
+            ("start.seed = [1.5]", "seed = 1.5 in [start] is a number with a point"),
+        ):
+            with self.subTest(line=line):
+                code, said = self.sweep(self.write("sweep.toml", f"{PLUG}[vary]\n{line}\n"))
+                self.assertEqual(code, 3, said)
+                self.assertIn(words, said)
+                place = next(word for word in said.split() if ".toml:" in word)
+                self.assertTrue(Path(place.split(".toml")[0] + ".toml").exists(), f"{place}: the file that is complained of is there")
+                self.assertFalse((self.folder / "out" / "cases").exists(), "nothing else is written")
+
+    def test_wrong_usage_and_files_that_are_not_there(self):
+        path = self.write("sweep.toml", PLUG + "[vary]\nstart.seed = [1]")
+        self.assertEqual(self.sweep(path, "--jobs", "0")[0], 2)
+        self.assertEqual(self.sweep(path, "--engine", "slurm", "--hosts", path)[0], 2)
+        self.assertEqual(self.sweep(path, "--hosts", self.folder / "none")[0], 6)
+        self.assertEqual(self.sweep(self.folder / "none.toml")[0], 6)
+
+
+class MadeOnce(WithFolder):
+    """A run of a program that only counts how often it is started."""
+
+    def setUp(self):
+        super().setUp()
+        self.run = KeptRun(self.folder / "run", self.folder / "program", ("--seed", "1"))
+        self.program("exit 0")
+
+    def program(self, end):
+        path = self.write("program", f'#!/bin/sh\necho "$@" >>{self.folder}/calls\nmkdir -p {self.run.folder}\n'
+                          f'cd {self.run.folder}\necho "{{}}" >summary.json\ntouch final.fixdem\n{end}\n')
+        path.chmod(0o755)
+
+    def calls(self):
+        return (self.folder / "calls").read_text().splitlines()
+
+    def test_a_run_that_is_done_is_left_alone_until_program_options_or_start_change(self):
+        for _ in range(2):
+            self.assertEqual(self.run.complete()["state"], "done")
+        self.assertEqual(len(self.calls()), 1)
+        self.run.options = ("--seed", "2")
+        self.run.complete()
+        self.program("exit 0 # another")
+        self.run.complete()
+        self.run.start_state = self.write("state", "1")
+        self.run.complete()
+        self.write("state", "23")
+        self.run.complete()
+        self.run.complete()
+        self.assertEqual(len(self.calls()), 5)
+        self.assertFalse(any("--resume" in call for call in self.calls()), "another input begins at the beginning")
+        (self.run.folder / "final.fixdem").unlink()
+        self.run.complete()
+        self.assertEqual(len(self.calls()), 6, "a result that has gone is made again")
+
+    def test_a_failure_for_good_is_not_repeated_and_any_other_is_resumed(self):
+        self.program("echo too fast >&2; exit 5")
+        for _ in range(2):
+            record = self.run.complete()
+        self.assertEqual((record["state"], record["exit_code"], record["message"], len(self.calls())), ("failed", 5, "too fast", 1))
+        self.program("exit 6")
+        self.assertEqual(self.run.complete()["state"], "stopped")
+        self.assertEqual(self.run.complete()["state"], "stopped")
+        self.assertEqual(["--resume" in call for call in self.calls()], [False, False, True])
+
+    def test_a_checkpoint_that_is_refused_does_not_stand_in_the_way(self):
+        self.program('case "$*" in *--resume*) echo damaged >&2; exit 3;; esac; [ -e again ] || { touch again; exit 6; }')
+        self.run.complete()
+        record = self.run.complete()
+        self.assertEqual((record["state"], len(self.calls())), ("done", 3))
+
+    def test_one_that_is_running_is_waited_for_and_one_whose_owner_is_gone_is_taken_over(self):
+        gone = subprocess.Popen(["true"])
+        gone.wait()
+        here = os.uname().nodename
+        self.run.write(state="running", owner=f"{here} {gone.pid} x")
+        self.assertTrue(self.run.is_abandoned(f"{here} {gone.pid} x"))
+        self.assertFalse(self.run.is_abandoned(f"{here} {os.getpid()} x"))
+        self.assertFalse(self.run.is_abandoned("elsewhere 1 x"))
+        os.utime(self.run.record_path, (1e9, 1e9))
+        self.assertTrue(self.run.is_abandoned("elsewhere 1 x"), "nobody has touched the record for long")
+        self.run.folder.mkdir()
+        (self.run.folder / "lock").write_text("process 1 on host elsewhere\n")
+        self.assertEqual(self.run.complete()["state"], "done")
+        self.assertFalse((self.run.folder / "lock").exists(), "the lock of the machine that is gone")
+
+    def test_one_that_was_taken_over_stops_its_program(self):
+        self.program("trap 'exit 143' TERM; while :; do sleep 0.1; done")
+        beat, kept_run.BEAT = kept_run.BEAT, 0.2
+        try:
+            fork = os.fork()
+            if fork == 0:
+                code = 1
+                try:
+                    self.run.complete()
+                except kept_run.Superseded:
+                    code = 7
+                os._exit(code)
+            wait_for(lambda: self.run.read().get("state") == "running" and (self.folder / "calls").exists())
+            self.run.write(state="running", owner="elsewhere 1 x")
+            self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(fork, 0)[1]), 7)
+            self.assertEqual(self.run.read()["owner"], "elsewhere 1 x", "the record is the other's")
+        finally:
+            kept_run.BEAT = beat
+
+
+class SmallSweep(unittest.TestCase):
+    def test_stopped_and_killed_it_ends_in_the_same_bytes_and_nothing_is_run_twice(self):
+        sweep = SweepRuns(scratch / "small", variables=["JOBS=2"])
+        sweep.begin_anew()
+        code, said = sweep.call()
+        self.assertEqual(code, 0, said)
+        self.assertIn("4 points, 3 programs, 6 runs in 2 stage(s)", said)
+        expected, records = sweep.results(), sweep.records()
+        with (sweep.out / "points.csv").open() as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(row["gas.bulk_velocity"], row["start.seed"], row["status"]) for row in rows],
+                         [(u, seed, "done") for u in ("1.7", "2.4") for seed in ("1", "2")])  # fmt: skip
+        self.assertEqual(len({row["state_hash"] for row in rows}), 4)
+        for picture in ("fig_13.svg", "fig_13.png"):
+            self.assertTrue((sweep.out / picture).exists())
+
+        code, said = sweep.call()
+        self.assertEqual(code, 0, said)
+        self.assertIn("6 of 6 runs are there, 0 are missing", said)
+        self.assertEqual(sweep.records(), records, "nothing was run")
+
+        sweep.begin_anew()
+        process = sweep.start()
+        wait_for(lambda: sweep.running("plug"))
+        self.assertNotEqual(interrupt(process), 0)
+        stopped = [name for name, record in sweep.records().items() if record["state"] == "stopped"]
+        self.assertTrue(stopped, "Ctrl-C stops runs")
+        self.assertTrue(all(any((sweep.out / "runs" / name).glob("checkpoint-*")) for name in stopped), "and leaves their checkpoints")
+        over = {name: record for name, record in sweep.records().items() if record["state"] == "done"}
+
+        process = sweep.start()
+        name, _, watcher = wait_for(lambda: [run for run in sweep.running("plug") if run[0] not in stopped])[0]
+        os.kill(watcher, signal.SIGKILL)
+        self.assertEqual(process.wait(), 0, sweep.said())
+        self.assertEqual(different(sweep.results(), expected), [])
+        after = sweep.records()
+        self.assertEqual({name: after[name] for name in over}, over, "what was done is not run again")
+        for resumed in (*stopped, name):
+            self.assertLess(after[resumed]["particle_steps"], records[resumed]["particle_steps"], "a part of the run only")
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # a test in the background must not pass on that it ignores it
+    run_and_count(*sys.argv[3:4])
