@@ -18,7 +18,10 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <memory>
+#include <stdexcept>
 #include <string>
+#include <vector>
 #define LAMMPS_LIB_MPI
 #include <lammps/library.h>
 
@@ -180,12 +183,12 @@ void run(void* lammps) {
   lammps_file(lammps, "scene.in");
   require_no_error(lammps);
   check(lammps);
-  GasBeside gas(lammps, MPI_COMM_WORLD);
-  lammps_set_fix_external_callback(lammps, "gas", &GasBeside::call, &gas);
+  const auto gas = std::make_unique<GasBeside>(lammps, MPI_COMM_WORLD);  // some MB in a long pipe
+  lammps_set_fix_external_callback(lammps, "gas", &GasBeside::call, gas.get());
   lammps_file(lammps, "steps.in");
   require_no_error(lammps);
   const auto steps = *static_cast<std::int64_t*>(lammps_extract_global(lammps, "ntimestep"));
-  gas.write_results(static_cast<double>(steps) * Case::time_step);
+  gas->write_results(static_cast<double>(steps) * Case::time_step);
 }
 
 }  // namespace
