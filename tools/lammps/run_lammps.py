@@ -80,7 +80,7 @@ def summary(folder, case, ranks, repeat=1):
         raise Failed(3, f"{folder}/log.lammps: no 'Loop time' in it: the run did not end")
     seconds, steps, particles = float(loop[1]), int(loop[3]), int(loop[4])
     if int(loop[2]) != ranks:
-        raise Failed(3, f"{folder}/log.lammps: {loop[2]} ranks instead of {ranks}: mpirun is not of the MPI that LAMMPS was built with")
+        raise Failed(3, f"{folder}/log.lammps: {loop[2]} ranks instead of {ranks}: mpirun is of another MPI than LAMMPS")
     whole = {**case, "pipe_length": case["pipe_length"] * repeat, "particle_count": case["particle_count"] * repeat}
     state = read_dump(folder / "final.lammpstrj")
     if len(state.positions) != particles:
@@ -136,8 +136,9 @@ def describe(outcome):
     return (
         f"{outcome['case']}: {outcome['particles']} particles, {outcome['steps']} steps on {outcome['ranks']} ranks of "
         f"{outcome['program']} in {outcome['performance']['wall_time']:.2f} s{fast}\n"
-        f"kinetic energy {final['kinetic_energy']:.6g} J, contacts {final['contacts']}, mean height {final['mean_height']:.6g} m, "
-        f"mean axial velocity {final['mean_axial_velocity']:.6g} m/s" + describe_plug(outcome["plug"])
+        f"kinetic energy {final['kinetic_energy']:.6g} J, contacts {final['contacts']}, "
+        f"mean height {final['mean_height']:.6g} m, mean axial velocity {final['mean_axial_velocity']:.6g} m/s"
+        + describe_plug(outcome["plug"])
     )
 
 
