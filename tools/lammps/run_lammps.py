@@ -18,18 +18,13 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "peers"))
 from case_values import law_of, read_header
-from export_lammps import clear_results, positive, reason
+from ending import Failed, finish
+from export_lammps import clear_results, positive
 from scene_files import SUFFIX
 from states import observe, read_dump
 
 BUSY = re.compile(r"([\d.]+)% CPU use with")
 LOOP = re.compile(r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms")
-
-
-class Failed(Exception):
-    def __init__(self, code, message):
-        super().__init__(message)
-        self.code = code
 
 
 def found(command):
@@ -153,24 +148,13 @@ def main():
     arguments.add_argument("--steps", type=positive, help="instead of the case's duration")
     arguments.add_argument("--quiet", action="store_true", help="LAMMPS' own output into log.lammps only")
     chosen = arguments.parse_args()
-    try:
-        case = read_header(chosen.header)
-        run(chosen.folder, chosen.program, chosen.ranks, chosen.mpirun, chosen.steps, quiet=chosen.quiet)
-        outcome = summary(chosen.folder, case, chosen.ranks, chosen.repeat)
-        write_summary(chosen.folder, outcome)
-    except Failed as failure:
-        return failure.code, failure
-    except SystemExit as said:  # a file that is not what it should be
-        return 3, said
-    except OSError as error:
-        return 6, reason(error)
+    case = read_header(chosen.header)
+    run(chosen.folder, chosen.program, chosen.ranks, chosen.mpirun, chosen.steps, quiet=chosen.quiet)
+    outcome = summary(chosen.folder, case, chosen.ranks, chosen.repeat)
+    write_summary(chosen.folder, outcome)
     print(describe(outcome))
     print(f"results in {chosen.folder}: summary.json, final.lammpstrj, log.lammps")
-    return 0, None
 
 
 if __name__ == "__main__":
-    code, trouble = main()
-    if trouble:
-        print(f"run-lammps: {trouble}", file=sys.stderr)
-    sys.exit(code)
+    finish("run-lammps", main)
