@@ -11,6 +11,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "peers"))
 from case_values import law_of, read_header
+from ending import Failed, finish
 from scene_files import SUFFIX, Refused, files
 from states import read_final
 
@@ -20,11 +21,6 @@ def positive(text):
     if number < 1:
         raise argparse.ArgumentTypeError(f"{text}: a whole number of 1 or more")
     return number
-
-
-def reason(error):
-    """An OSError in words."""
-    return f"{error.filename}: {error.strerror}" if error.filename else str(error)
 
 
 def clear_results(folder):
@@ -52,26 +48,15 @@ def main():
     arguments.add_argument("--repeat", type=positive, default=1, help="copies one behind the other along a periodic pipe")
     arguments.add_argument("--out", type=Path, required=True, help="folder of the files")
     chosen = arguments.parse_args()
+    case, state = read_header(chosen.header), read_final(chosen.state)
     try:
-        case, state = read_header(chosen.header), read_final(chosen.state)
         texts = files(case, law_of(case), state, chosen.origin or f"the state {chosen.state}", chosen.repeat)
     except Refused as refused:
-        return 3, f"{case['source']}: {refused}"
-    except SystemExit as said:  # a file that is not what it should be
-        return 3, said
-    except OSError as error:
-        return 6, reason(error)
-    try:
-        write_all(chosen.out, texts)
-    except OSError as error:
-        return 6, reason(error)
+        raise Failed(3, f"{case['source']}: {refused}") from None
+    write_all(chosen.out, texts)
     particles = len(state.positions) * chosen.repeat
     print(f"{chosen.out}: {', '.join(texts)}; {particles} particles, contact histories start empty")
-    return 0, None
 
 
 if __name__ == "__main__":
-    code, trouble = main()
-    if trouble:
-        print(f"export-lammps: {trouble}", file=sys.stderr)
-    sys.exit(code)
+    finish("export-lammps", main)

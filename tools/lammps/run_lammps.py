@@ -18,18 +18,13 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "peers"))
 from case_values import law_of, read_header
-from export_lammps import clear_results, positive, reason
+from ending import Failed, finish
+from export_lammps import clear_results, positive
 from scene_files import SUFFIX
 from states import observe, read_dump
 
 BUSY = re.compile(r"([\d.]+)% CPU use with")
 LOOP = re.compile(r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms")
-
-
-class Failed(Exception):
-    def __init__(self, code, message):
-        super().__init__(message)
-        self.code = code
 
 
 def found(command):
@@ -80,7 +75,7 @@ def summary(folder, case, ranks, repeat=1):
         raise Failed(3, f"{folder}/log.lammps: no 'Loop time' in it: the run did not end")
     seconds, steps, particles = float(loop[1]), int(loop[3]), int(loop[4])
     if int(loop[2]) != ranks:
-        raise Failed(3, f"{folder}/log.lammps: {loop[2]} ranks instead of {ranks}: mpirun is not of the MPI that LAMMPS was built with")
+        raise Failed(3, f"{folder}/log.lammps: {loop[2]} ranks instead of {ranks}: mpirun is of another MPI than LAMMPS")
     whole = {**case, "pipe_length": case["pipe_length"] * repeat, "particle_count": case["particle_count"] * repeat}
     state = read_dump(folder / "final.lammpstrj")
     if len(state.positions) != particles:
@@ -136,8 +131,9 @@ def describe(outcome):
     return (
         f"{outcome['case']}: {outcome['particles']} particles, {outcome['steps']} steps on {outcome['ranks']} ranks of "
         f"{outcome['program']} in {outcome['performance']['wall_time']:.2f} s{fast}\n"
-        f"kinetic energy {final['kinetic_energy']:.6g} J, contacts {final['contacts']}, mean height {final['mean_height']:.6g} m, "
-        f"mean axial velocity {final['mean_axial_velocity']:.6g} m/s" + describe_plug(outcome["plug"])
+        f"kinetic energy {final['kinetic_energy']:.6g} J, contacts {final['contacts']}, "
+        f"mean height {final['mean_height']:.6g} m, mean axial velocity {final['mean_axial_velocity']:.6g} m/s"
+        + describe_plug(outcome["plug"])
     )
 
 
@@ -152,24 +148,13 @@ def main():
     arguments.add_argument("--steps", type=positive, help="instead of the case's duration")
     arguments.add_argument("--quiet", action="store_true", help="LAMMPS' own output into log.lammps only")
     chosen = arguments.parse_args()
-    try:
-        case = read_header(chosen.header)
-        run(chosen.folder, chosen.program, chosen.ranks, chosen.mpirun, chosen.steps, quiet=chosen.quiet)
-        outcome = summary(chosen.folder, case, chosen.ranks, chosen.repeat)
-        write_summary(chosen.folder, outcome)
-    except Failed as failure:
-        return failure.code, failure
-    except SystemExit as said:  # a file that is not what it should be
-        return 3, said
-    except OSError as error:
-        return 6, reason(error)
+    case = read_header(chosen.header)
+    run(chosen.folder, chosen.program, chosen.ranks, chosen.mpirun, chosen.steps, quiet=chosen.quiet)
+    outcome = summary(chosen.folder, case, chosen.ranks, chosen.repeat)
+    write_summary(chosen.folder, outcome)
     print(describe(outcome))
     print(f"results in {chosen.folder}: summary.json, final.lammpstrj, log.lammps")
-    return 0, None
 
 
 if __name__ == "__main__":
-    code, trouble = main()
-    if trouble:
-        print(f"run-lammps: {trouble}", file=sys.stderr)
-    sys.exit(code)
+    finish("run-lammps", main)
