@@ -2,11 +2,11 @@
 """A sweep over two hosts, one of which dies in the middle: no point is lost, and every file is that of a run on this machine.
 
 Each host is a network namespace with a link, an address, a host name and an sshd of its own; it shares this machine's files, as
-hosts of a cluster share a folder. It dies by SIGKILL for all its processes and a link that is taken down: connections hang, as with
-a machine that has lost its power. Where namespaces are not allowed, both hosts are localhost by two names, and the death
+hosts of a cluster share a folder. It dies by SIGKILL for all its processes and a link that is taken down: connections hang, as
+with a machine that has lost its power. Where namespaces are not allowed, both hosts are localhost by two names, and the death
 of one is that of its sshd and all that it started; the test says so (FIXDEM_HOSTS=localhost asks for it).
 
-Usage: tests/sweep/hosts_test.py SCRATCH [COUNT_FILE]; as root. Writes "PASSED FAILED" to COUNT_FILE. Exit code: 0 when all passed.
+Usage: tests/sweep/hosts_test.py SCRATCH [COUNT_FILE]; as root. Writes "PASSED FAILED" to COUNT_FILE. Exit code: 0 all passed.
 """
 
 import os
@@ -67,7 +67,9 @@ class Host:
         self.name, self.in_namespace = f"fixdem-host{number}", in_namespace
         self.namespace, self.link = f"fixdem{os.getpid()}h{number}", f"fd{os.getpid() % 100000}h{number}"
         net = f"10.{200 + os.getpid() % 50}.{number}"
-        self.address, self.port = (f"{net}.2", 2222) if in_namespace else ("127.0.0.1", 22000 + os.getpid() % 2000 + 2000 * number)
+        self.address, self.port = (
+            (f"{net}.2", 2222) if in_namespace else ("127.0.0.1", 22000 + os.getpid() % 2000 + 2000 * number)
+        )
         if in_namespace:
             within = ["ip", "-n", self.namespace]
             for command in (["ip", "netns", "add", self.namespace],
@@ -82,16 +84,23 @@ class Host:
             file.write(SSH.format(**values))
         sshd = f"hostname {self.name} && exec /usr/sbin/sshd -D -f {scratch}/{self.name}.sshd -E {scratch}/{self.name}.log"
         within = ["ip", "netns", "exec", self.namespace] if in_namespace else []
-        self.sshd = subprocess.Popen([*within, "unshare", "--uts", "sh", "-c", sshd] if in_namespace else ["sh", "-c", sshd.split("&& ")[1]])
+        self.sshd = subprocess.Popen(
+            [*within, "unshare", "--uts", "sh", "-c", sshd] if in_namespace else ["sh", "-c", sshd.split("&& ")[1]]
+        )
 
     def answers(self):
-        return subprocess.run(["ssh", "-F", scratch / "ssh_config", self.name, "true"], capture_output=True, check=False).returncode == 0
+        return (
+            subprocess.run(["ssh", "-F", scratch / "ssh_config", self.name, "true"], capture_output=True, check=False).returncode
+            == 0
+        )
 
     def die(self):
         """At once, without a farewell."""
         if self.in_namespace:
             subprocess.run(["ip", "link", "set", self.link, "down"], check=True)
-            for process in subprocess.run(["ip", "netns", "pids", self.namespace], capture_output=True, text=True, check=True).stdout.split():
+            for process in subprocess.run(
+                ["ip", "netns", "pids", self.namespace], capture_output=True, text=True, check=True
+            ).stdout.split():
                 os.kill(int(process), signal.SIGKILL)
         else:
             kill_tree(self.sshd.pid)
@@ -100,7 +109,9 @@ class Host:
         kill_tree(self.sshd.pid)
         self.sshd.wait()
         if self.in_namespace:
-            for process in subprocess.run(["ip", "netns", "pids", self.namespace], capture_output=True, text=True, check=False).stdout.split():
+            for process in subprocess.run(
+                ["ip", "netns", "pids", self.namespace], capture_output=True, text=True, check=False
+            ).stdout.split():
                 os.kill(int(process), signal.SIGKILL)
             subprocess.run(["ip", "netns", "del", self.namespace], check=False)
             subprocess.run(["ip", "link", "del", self.link], check=False, capture_output=True)  # goes with the namespace
@@ -110,11 +121,16 @@ class TwoHosts(unittest.TestCase):
     def setUp(self):
         shutil.rmtree(scratch, ignore_errors=True)
         scratch.mkdir(parents=True)
-        Path("/run/sshd").mkdir(exist_ok=True)  # sshd wants it
+        if not Path("/run/sshd").exists():  # sshd wants it
+            Path("/run/sshd").mkdir()
+            self.addCleanup(Path("/run/sshd").rmdir)
         for key in ("host_key", "user_key"):
             subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", scratch / key], check=True)
         self.namespaces = has_namespaces()
-        print("hosts: " + ("two network namespaces" if self.namespaces else "no network namespaces here: localhost twice, by two sshds"))
+        print(
+            "hosts: "
+            + ("two network namespaces" if self.namespaces else "no network namespaces here: localhost twice, by two sshds")
+        )
         self.hosts = []
         for number in (1, 2):
             host = Host(number, self.namespaces)
@@ -145,7 +161,9 @@ class TwoHosts(unittest.TestCase):
         self.assertEqual(different(sweep.results(), expected), [])
         records = sweep.records()
         self.assertEqual(set(records), set(undisturbed))
-        self.assertLess(records[name]["particle_steps"], undisturbed[name]["particle_steps"], "it was gone on with, not begun anew")
+        self.assertLess(
+            records[name]["particle_steps"], undisturbed[name]["particle_steps"], "it was gone on with, not begun anew"
+        )
         if self.namespaces:
             machines = {run: record["owner"].split()[0] for run, record in records.items()}
             print("\n".join(f"  {run}: {machine}" for run, machine in machines.items()))

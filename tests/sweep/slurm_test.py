@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """A sweep through Slurm: a controller, a node and munge, started here for the test, with all their files in its own folder.
 
-A run is killed, then the node dies with all that runs on it and comes back: no point is lost, and every file is that of a run without
-Slurm.
+A run is killed, then the node dies with all that runs on it and comes back: no point is lost, and every file is that of a run
+without Slurm.
 
-Usage: tests/sweep/slurm_test.py SCRATCH [COUNT_FILE]; as root. Writes "PASSED FAILED" to COUNT_FILE. Exit code: 0 when all passed.
+Usage: tests/sweep/slurm_test.py SCRATCH [COUNT_FILE]; as root. Writes "PASSED FAILED" to COUNT_FILE. Exit code: 0 all passed.
 """
 
 import os
@@ -25,7 +25,7 @@ from counted import run_and_count  # noqa: E402
 from sweep_runs import SweepRuns, different, interrupt, kill_tree, wait_for  # noqa: E402
 
 scratch = Path(sys.argv[1]).resolve()
-# cred_expire: Slurm holds back a run that it starts again until the last start's credentials are worth nothing, two minutes otherwise.
+# cred_expire: a run that is queued again is held back until the credentials of its last start have expired, by default two minutes.
 CONFIG = """ClusterName=fixdemtest
 SlurmctldHost={host}(127.0.0.1)
 SlurmctldPort={controller_port}
@@ -74,11 +74,22 @@ class Cluster:
         key.write_bytes(secrets.token_bytes(128))
         key.chmod(0o400)
         config = folder / "slurm.conf"
-        config.write_text(CONFIG.format(host=socket.gethostname(), folder=folder, controller_port=free_port(), node_port=free_port(),
-                                        cores=os.cpu_count()))  # fmt: skip
+        config.write_text(
+            CONFIG.format(
+                host=socket.gethostname(), folder=folder, controller_port=free_port(), node_port=free_port(), cores=os.cpu_count()
+            )
+        )
         os.environ["SLURM_CONF"] = str(config)
-        self.start("munged", "--foreground", "--force", f"--key-file={key}", f"--socket={folder}/munge.socket", f"--pid-file={folder}/munged.pid",
-                   f"--log-file={folder}/munged.log", f"--seed-file={folder}/munged.seed")  # fmt: skip
+        self.start(
+            "munged",
+            "--foreground",
+            "--force",
+            f"--key-file={key}",
+            f"--socket={folder}/munge.socket",
+            f"--pid-file={folder}/munged.pid",
+            f"--log-file={folder}/munged.log",
+            f"--seed-file={folder}/munged.seed",
+        )
         wait_for((folder / "munge.socket").exists, 20)
         self.start("slurmctld", "-D")
         self.start("slurmd", "-D")
@@ -89,7 +100,10 @@ class Cluster:
             self.started[command[0]] = subprocess.Popen(command, stdout=said, stderr=subprocess.STDOUT)
 
     def is_idle(self):
-        return "idle" in subprocess.run(["sinfo", "--noheader", "--format=%t"], capture_output=True, text=True, check=False).stdout.split()
+        return (
+            "idle"
+            in subprocess.run(["sinfo", "--noheader", "--format=%t"], capture_output=True, text=True, check=False).stdout.split()
+        )
 
     def step_daemons(self):
         """Processes of slurmstepd that this slurmd has started; they live on without it."""
@@ -151,7 +165,9 @@ class ThroughSlurm(unittest.TestCase):
         self.assertEqual(different(self.sweep.results(), expected), [])
         records = self.sweep.records()
         for name in (killed, lost):
-            self.assertLess(records[name]["particle_steps"], undisturbed[name]["particle_steps"], "it was gone on with, not begun anew")
+            self.assertLess(
+                records[name]["particle_steps"], undisturbed[name]["particle_steps"], "it was gone on with, not begun anew"
+            )
 
         code, said = self.sweep.call("ENGINE=slurm")
         self.assertEqual((code, self.sweep.records()), (0, records), said)

@@ -89,7 +89,9 @@ def different(found, expected):
 
 def kill_tree(process):
     """SIGKILL for a process and all that it has started, those first that could start more."""
-    children = subprocess.run(["ps", "-o", "pid=", "--ppid", str(process)], capture_output=True, text=True, check=False).stdout.split()
+    children = subprocess.run(
+        ["ps", "-o", "pid=", "--ppid", str(process)], capture_output=True, text=True, check=False
+    ).stdout.split()
     try:
         os.kill(process, signal.SIGKILL)
     except ProcessLookupError:

@@ -51,24 +51,37 @@ class WithFolder(unittest.TestCase):
 
 class Points(WithFolder):
     def test_lists_and_ranges_give_all_combinations_in_order(self):
-        plan = self.plan(PLUG + '[vary]\ngas.bulk_velocity = {from = 1.7, to = 2.4, points = 3}\n"gas.bed_diameter" = [0.01, 0.003]')
+        plan = self.plan(
+            PLUG + '[vary]\ngas.bulk_velocity = {from = 1.7, to = 2.4, points = 3}\n"gas.bed_diameter" = [0.01, 0.003]'
+        )
         self.assertEqual([values for values, _ in plan.points], [(u, d) for u in (1.7, 2.05, 2.4) for d in (0.01, 0.003)])
 
     def test_a_range_by_step_is_rounded_and_ends_where_it_must(self):
-        axes = read_sweep(self.write("s.toml", PLUG + "[vary]\ngas.bulk_velocity = {from = 1.8, to = 2.4, step = 0.2}\n"
-                                     "particles.count = {from = 100, to = 60, step = -15}"), CASES).axes
+        axes = read_sweep(
+            self.write(
+                "s.toml",
+                PLUG + "[vary]\ngas.bulk_velocity = {from = 1.8, to = 2.4, step = 0.2}\n"
+                "particles.count = {from = 100, to = 60, step = -15}",
+            ),
+            CASES,
+        ).axes
         self.assertEqual(axes["gas", "bulk_velocity"], [1.8, 2.0, 2.2, 2.4])
         self.assertEqual(axes["particles", "count"], [100, 85, 70])
         self.assertTrue(all(isinstance(count, int) for count in axes["particles", "count"]))
 
     def test_points_that_differ_in_run_time_values_share_a_program(self):
-        plan = self.plan('base = "settle"\n[vary]\nstart.seed = [1, 2, 3]\nrun.duration = [0.1, 0.2]\nmaterial.friction = [0.2, 0.3]')
+        plan = self.plan(
+            'base = "settle"\n[vary]\nstart.seed = [1, 2, 3]\nrun.duration = [0.1, 0.2]\nmaterial.friction = [0.2, 0.3]'
+        )
         self.assertEqual((len(plan.points), len(plan.jobs), len(plan.cases)), (12, 12, 2))
         job = plan.jobs["settle-friction_0p2-seed_3-duration_0p1"]
         self.assertEqual((job.program, job.options), ("settle-friction_0p2", ["--seed", "3", "--duration", "0.1"]))
 
     def test_the_case_that_it_starts_from_gets_particles_material_and_seed_but_no_gas(self):
-        plan = self.plan(PLUG + "[vary]\nparticles.count = [500, 1000]\nstart.seed = [1, 2]\ngas.bulk_velocity = [1.7, 2.4]\n[set]\nmaterial.friction = 0.2")
+        plan = self.plan(
+            PLUG
+            + "[vary]\nparticles.count = [500, 1000]\nstart.seed = [1, 2]\ngas.bulk_velocity = [1.7, 2.4]\n[set]\nmaterial.friction = 0.2"
+        )
         self.assertEqual((len(plan.points), len(plan.jobs), len(plan.cases)), (8, 12, 6))
         fill = plan.cases["fill_1000-count_500"]
         self.assertEqual((fill["particles"]["count"], fill["material"]["friction"], "gas" in fill), (500, 0.2, False))
@@ -95,7 +108,10 @@ class Points(WithFolder):
         plan = self.plan('base = "plug_u24"\n[vary]\nstart.seed = [1]')
         shutil.copy(CASES / "fill_1000.toml", self.folder)
         headers = []
-        for label, text in (("derived", tomli_w.dumps(plan.cases["plug_u24"])), ("shipped", (CASES / "plug_u24.toml").read_text())):
+        for label, text in (
+            ("derived", tomli_w.dumps(plan.cases["plug_u24"])),
+            ("shipped", (CASES / "plug_u24.toml").read_text()),
+        ):
             path = self.write("plug_u24.toml", text)
             said = subprocess.run([casegen, path, "--print"], capture_output=True, text=True, check=True).stdout
             headers.append([line for line in said.splitlines() if "xxh64" not in line and "source_hash" not in line])
@@ -130,7 +146,10 @@ class Refusals(WithFolder):
             (PLUG + "[vary]\nstart.seed = {from = 1, to = 1e9, step = 1}", "more than 100000 values"),
             (PLUG + "[vary]\nstart.seed = {from = 1, to = nan, points = 3}", "to = nan"),
             (PLUG + vary + "[set]\nstart.seed = 2", "start.seed: in .vary. and in .set."),
-            (PLUG + vary + '[set]\n"fill_500.run.duration" = 2.0', "'fill_500' is not a case of this sweep\n  allowed: plug_u24, fill_1000"),
+            (
+                PLUG + vary + '[set]\n"fill_500.run.duration" = 2.0',
+                "'fill_500' is not a case of this sweep\n  allowed: plug_u24, fill_1000",
+            ),
             (PLUG + vary + '[plot]\nx = "gas.bulk_velocity"', "'gas.bulk_velocity' is not varied\n  allowed: start.seed"),
             (PLUG + '[vary]\nstart.motion = ["st op", "st_op"]', "two points would both be called"),
         ):
@@ -155,7 +174,9 @@ class Refusals(WithFolder):
                 self.assertEqual(code, 3, said)
                 self.assertIn(words, said)
                 place = next(word for word in said.split() if ".toml:" in word)
-                self.assertTrue(Path(place.split(".toml")[0] + ".toml").exists(), f"{place}: the file that is complained of is there")
+                self.assertTrue(
+                    Path(place.split(".toml")[0] + ".toml").exists(), f"{place}: the file that is complained of is there"
+                )
                 self.assertFalse((self.folder / "out" / "cases").exists(), "nothing else is written")
 
     def test_wrong_usage_and_files_that_are_not_there(self):
@@ -175,8 +196,11 @@ class MadeOnce(WithFolder):
         self.program("exit 0")
 
     def program(self, end):
-        path = self.write("program", f'#!/bin/sh\necho "$@" >>{self.folder}/calls\nmkdir -p {self.run.folder}\n'
-                          f'cd {self.run.folder}\necho "{{}}" >summary.json\ntouch final.fixdem\n{end}\n')
+        path = self.write(
+            "program",
+            f'#!/bin/sh\necho "$@" >>{self.folder}/calls\nmkdir -p {self.run.folder}\n'
+            f'cd {self.run.folder}\necho "{{}}" >summary.json\ntouch final.fixdem\n{end}\n',
+        )
         path.chmod(0o755)
 
     def calls(self):
@@ -205,7 +229,9 @@ class MadeOnce(WithFolder):
         self.program("echo too fast >&2; exit 5")
         for _ in range(2):
             record = self.run.complete()
-        self.assertEqual((record["state"], record["exit_code"], record["message"], len(self.calls())), ("failed", 5, "too fast", 1))
+        self.assertEqual(
+            (record["state"], record["exit_code"], record["message"], len(self.calls())), ("failed", 5, "too fast", 1)
+        )
         self.program("exit 6")
         self.assertEqual(self.run.complete()["state"], "stopped")
         self.assertEqual(self.run.complete()["state"], "stopped")
@@ -279,7 +305,9 @@ class SmallSweep(unittest.TestCase):
         self.assertNotEqual(interrupt(process), 0)
         stopped = [name for name, record in sweep.records().items() if record["state"] == "stopped"]
         self.assertTrue(stopped, "Ctrl-C stops runs")
-        self.assertTrue(all(any((sweep.out / "runs" / name).glob("checkpoint-*")) for name in stopped), "and leaves their checkpoints")
+        self.assertTrue(
+            all(any((sweep.out / "runs" / name).glob("checkpoint-*")) for name in stopped), "and leaves their checkpoints"
+        )
         over = {name: record for name, record in sweep.records().items() if record["state"] == "done"}
 
         process = sweep.start()

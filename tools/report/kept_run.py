@@ -11,7 +11,7 @@ start state, by their contents), who has it (`owner`) and how it stands (`state`
 
 Several machines may share the folder. A record that says `running` is taken over when its owner is a process of this machine
 that is gone, or when nobody has touched it for LEASE seconds, by the clock of the shared file system. An owner that finds
-another's name in its record stops its program. A program stops when the process that watches it dies (setpriv, where there is one).
+another's name in its record stops its program. A program stops when the process that watches it dies (by setpriv, where that is).
 Only the standard library is used, because this part runs on the machines of a sweep.
 """
 
@@ -32,6 +32,7 @@ from pathlib import Path
 
 FAILED = (2, 3, 4, 5)  # exit codes of tools/run that a repetition would not change
 BEAT = 2.0  # s
+NO_SUCH_INSTRUCTION = "this machine lacks instructions that the program was compiled for: build with ARCH=x86-64-v3 or x86-64"
 LEASE = float(os.environ.get("FIXDEM_LEASE", "60"))  # s
 
 
@@ -163,9 +164,15 @@ class KeptRun:
             message = "\n".join(said.read().strip().splitlines()[-6:])
         state = "done" if code == 0 else "failed" if code in FAILED else "stopped"
         if code == -signal.SIGILL:
-            message = f"{message}\nthis machine lacks instructions that the program was compiled for: build with ARCH=x86-64-v3 or x86-64".strip()
-        self.write(state=state, owner=owner, exit_code=code, message=message, seconds=time.monotonic() - begin,
-                   particle_steps=self.steps_since(began))
+            message = f"{message}\n{NO_SUCH_INSTRUCTION}".strip()
+        self.write(
+            state=state,
+            owner=owner,
+            exit_code=code,
+            message=message,
+            seconds=time.monotonic() - begin,
+            particle_steps=self.steps_since(began),
+        )
         return code, message
 
     def watch(self, program, owner, began):
@@ -182,7 +189,14 @@ class KeptRun:
             program.terminate()
             code = program.wait()
             if not isinstance(reason, Superseded):
-                self.write(state="stopped", owner=owner, exit_code=code, message="stopped", seconds=0.0, particle_steps=self.steps_since(began))
+                self.write(
+                    state="stopped",
+                    owner=owner,
+                    exit_code=code,
+                    message="stopped",
+                    seconds=0.0,
+                    particle_steps=self.steps_since(began),
+                )
             raise
 
     def last_checkpoint(self):

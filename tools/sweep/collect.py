@@ -18,9 +18,27 @@ from job import run_of  # noqa: E402
 from kept_run import write_whole  # noqa: E402
 from plug_verdict import verdict  # noqa: E402
 
-PLUG = ("front_velocity", "particle_velocity", "length", "layer_area_ratio", "layer_area_ratio_eq41", "pressure_gradient", "pressure_drop",
-        "samples", "samples_with_plug")
-FINAL = ("time", "kinetic_energy", "contacts", "coordination_number", "max_overlap", "max_speed", "mean_axial_velocity", "mean_height")
+PLUG = (
+    "front_velocity",
+    "particle_velocity",
+    "length",
+    "layer_area_ratio",
+    "layer_area_ratio_eq41",
+    "pressure_gradient",
+    "pressure_drop",
+    "samples",
+    "samples_with_plug",
+)
+FINAL = (
+    "time",
+    "kinetic_energy",
+    "contacts",
+    "coordination_number",
+    "max_overlap",
+    "max_speed",
+    "mean_axial_velocity",
+    "mean_height",
+)
 SHOWN = ("front_velocity", "particle_velocity", "length", "layer_area_ratio", "pressure_gradient")  # in sweep.md
 MOST_ROWS = 200  # of the table in sweep.md
 RESULTS = ("verdict", *PLUG, *FINAL, "wall_time", "particle_steps_per_second", "steps", "state_hash")
@@ -42,10 +60,19 @@ class Point:
         """Name -> value, of a point that is done."""
         s = self.summary
         plug = s["plug"]
-        found = {"verdict": verdict(plug) if plug else None, **{name: plug and plug[name] for name in PLUG}, **{name: s["final"][name] for name in FINAL}}
+        found = {
+            "verdict": verdict(plug) if plug else None,
+            **{name: plug and plug[name] for name in PLUG},
+            **{name: s["final"][name] for name in FINAL},
+        }
         speed = s["performance"]
-        return {**found, "wall_time": speed["wall_time"], "particle_steps_per_second": speed["particle_steps_per_second"], "steps": s["steps"],
-                "state_hash": s["final"]["state_hash"]}
+        return {
+            **found,
+            "wall_time": speed["wall_time"],
+            "particle_steps_per_second": speed["particle_steps_per_second"],
+            "steps": s["steps"],
+            "state_hash": s["final"]["state_hash"],
+        }
 
 
 def points_of(plan, out, jobs):
@@ -84,8 +111,13 @@ def write_speed(path, entry):
 def page(sweep, points, pictures, entries):
     axes = [".".join(key) for key in sweep.axes]
     done = [p for p in points if p.summary]
-    lines = [f"# {sweep.title}", "", f"Made by `make sweep SWEEP={sweep.path}` from `{sweep.base.stem}`: {len(done)} of {len(points)} points done. "
-             "All figures: [points.csv](points.csv), columns as `summary.json` defines them.", ""]
+    lines = [
+        f"# {sweep.title}",
+        "",
+        f"Made by `make sweep SWEEP={sweep.path}` from `{sweep.base.stem}`: {len(done)} of {len(points)} points done. "
+        "All figures: [points.csv](points.csv), columns as `summary.json` defines them.",
+        "",
+    ]
     for caption, picture in pictures:
         lines += [f"![{caption}]({picture}.svg)", "", f"*{caption}*", ""]
     with_gas = any(p.summary["plug"] for p in done)
@@ -105,7 +137,14 @@ def page(sweep, points, pictures, entries):
         if not point.summary:
             lines += [f"- `{point.name}`: {point.state}: {point.record.get('message', 'not run')}".replace("\n", "; ")]
     if entries:
-        rates = [[e["runs"], e["engine"], e["jobs"], f"{e['seconds']:.1f}", f"{1e-6 * e['particle_steps_per_second']:.3g}"] for e in entries]
-        lines += ["", "Speed, all runs together, from the first start to the last end:", "",
-                  report.table(["runs", "engine", "at a time", "s", "million particle-steps/s"], rates)]
+        rates = [
+            [e["runs"], e["engine"], e["jobs"], f"{e['seconds']:.1f}", f"{1e-6 * e['particle_steps_per_second']:.3g}"]
+            for e in entries
+        ]
+        lines += [
+            "",
+            "Speed, all runs together, from the first start to the last end:",
+            "",
+            report.table(["runs", "engine", "at a time", "s", "million particle-steps/s"], rates),
+        ]
     return "\n".join(lines).rstrip() + "\n"

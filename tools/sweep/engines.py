@@ -82,8 +82,14 @@ class Slurm:
         listed, script = self.folder / f"{count}.txt", self.folder / f"{count}.sh"
         listed.write_text("".join(f"{number}\n" for number in numbers))
         script.write_text(f'#!/bin/sh\nexec python3 "{JOB}" "{self.out}" "$(sed -n "${{SLURM_ARRAY_TASK_ID}}p" "{listed}")"\n')
-        command = ["sbatch", "--parsable", "--requeue", f"--job-name=fixdem-{self.out.name}", f"--output={self.folder}/%A_%a.txt",
-                   f"--array=1-{len(numbers)}" + (f"%{self.jobs}" if self.jobs else "")]
+        command = [
+            "sbatch",
+            "--parsable",
+            "--requeue",
+            f"--job-name=fixdem-{self.out.name}",
+            f"--output={self.folder}/%A_%a.txt",
+            f"--array=1-{len(numbers)}" + (f"%{self.jobs}" if self.jobs else ""),
+        ]
         command += [f"--dependency=afterany:{':'.join(before)}"] if before else []
         done = subprocess.run([*command, str(script)], check=False, capture_output=True, text=True)
         if done.returncode != 0:
@@ -95,7 +101,9 @@ class Slurm:
     def wait(self, submitted):
         """Until the queue knows of none of them; a controller that does not answer is asked again."""
         while True:
-            asked = subprocess.run(["squeue", "--noheader", "--jobs", ",".join(submitted)], check=False, capture_output=True, text=True)
+            asked = subprocess.run(
+                ["squeue", "--noheader", "--jobs", ",".join(submitted)], check=False, capture_output=True, text=True
+            )
             over = asked.returncode == 0 and not asked.stdout.strip()
             if over or "Invalid job id" in asked.stderr:
                 return

@@ -76,7 +76,11 @@ def main():
         print(f"{name}: stopped", file=sys.stderr)
         return stopped.args[0]
     if record["state"] == "done":
-        speed = f", {1e-6 * record['particle_steps'] / record['seconds']:.3g} million particle-steps/s" if record["particle_steps"] else ""
+        speed = (
+            f", {1e-6 * record['particle_steps'] / record['seconds']:.3g} million particle-steps/s"
+            if record["particle_steps"]
+            else ""
+        )
         print(f"{name}: done in {record['seconds']:.1f} s{speed}", flush=True)
     else:
         print(f"{name}: {record['state']}: {record['message']}", file=sys.stderr)

@@ -13,6 +13,7 @@ from plug_verdict import verdict  # noqa: E402
 
 GAS_VELOCITY = ("gas", "bulk_velocity")
 SEED = ("start", "seed")
+PLUG_VELOCITY = "Fig. 13: plug velocity against gas velocity"
 
 
 def is_number(value):
@@ -66,9 +67,14 @@ def draw(sweep, points, out):
         plug_velocity = figure == "front_velocity" and x == GAS_VELOCITY
         labels = PLUG_VELOCITY_LABELS if plug_velocity else (".".join(x), figure)
         name = "fig_13" if plug_velocity else figure
-        means_picture(series, out / name, *labels, "set yrange [0:0.1<*]\n" if figure == "front_velocity" else "")
+        means_picture(series, out / name, *labels, "set yrange [*<0:0.1<*]\n" if figure == "front_velocity" else "")
         spread = "means, bars from the least to the greatest" + ("; 0: no plug" if figure == "front_velocity" else "")
-        pictures.append((f"{'Fig. 13: plug velocity against gas velocity' if plug_velocity else f'{figure} against {labels[0]}'}; {spread}", name))
+        pictures.append(
+            (
+                f"{PLUG_VELOCITY if plug_velocity else f'{figure} against {labels[0]}'}; {spread}",
+                name,
+            )
+        )
     moving = {}
     for name, members in groups.items() if with_gas else ():
         for _, point in members:

@@ -1,13 +1,13 @@
 """From a sweep to its points, the cases that are compiled for them, and the runs that have to be made.
 
-A point is one combination of values. Keys go to the base case; those of [particles] and [material] also to the cases that it starts
-from, and so on along the chain; those of a random start to the case that has it, the last of the chain; a key with the name of a case
-in front to that case alone.
+A point is one combination of values. Keys go to the base case; those of [particles] and [material] also to the cases that it
+starts from, and so on along the chain; those of a random start to the case that has it, the last of the chain; a key with the
+name of a case in front to that case alone.
 
 Two keys are run-time values (RUN_TIME): options of a program, nothing that is compiled into it. Points that differ in
 nothing else share a program, and points that start alike share the run that they start from. Each program is compiled
-from a derived case, a file named after the values that vary: plug_u24-bulk_velocity_1p7-count_500. A run has the run-time values in
-its name as well, its own and those of the run that it starts from.
+from a derived case, a file named after the values that vary: plug_u24-bulk_velocity_1p7-count_500. A run has the run-time
+values in its name as well, its own and those of the run that it starts from.
 """
 
 import copy
@@ -69,8 +69,12 @@ def chain_of(sweep, base_case, start_from):
     while start_from is not None:
         path = Path(folder, f"{start_from}.toml")
         if not path.is_file() or start_from in [name for name, _ in chain]:
-            refuse(sweep.path, "base", f"{chain[-1][0]} starts from '{start_from}', and there is no case file {path} for that, or it leads round in a circle",
-                   "put the case that it starts from into the same folder")
+            refuse(
+                sweep.path,
+                "base",
+                f"{chain[-1][0]} starts from '{start_from}': there is no case file {path}, or it leads round in a circle",
+                "put the case that it starts from into the same folder",
+            )
         case = read_toml(path)
         chain.append((start_from, case))
         start_from = case.get("start", {}).get("from") if isinstance(case.get("start", {}), dict) else None
@@ -144,17 +148,41 @@ class Planner:
     def program(self, name, case, compiled):
         told = ", ".join(f"{'.'.join(key)} = {text_of(value)}" for key, value in compiled.items() if key in self.sweep.axes)
         title = case.get("title", name)
-        case = {"title": f"{title}; {told}" if told and isinstance(title, str) else title, **{k: v for k, v in case.items() if k != "title"}}
+        case = {
+            "title": f"{title}; {told}" if told and isinstance(title, str) else title,
+            **{k: v for k, v in case.items() if k != "title"},
+        }
         if self.plan.cases.setdefault(name, case) != case:
-            refuse(self.sweep.path, "[vary]", f"two points would both be called {name}", "use values whose names differ in letters and digits")
+            refuse(
+                self.sweep.path,
+                "[vary]",
+                f"two points would both be called {name}",
+                "use values whose names differ in letters and digits",
+            )
         return name
 
     def job(self, program, name, run_time, before):
-        options = [text for key, value in run_time.items() for text in (RUN_TIME[key], text_of(value) if isinstance(value, int) else repr(value))]
-        job = Job(name, program, options, with_values(self.plan.cases[program], run_time), before and before.name, before.stage + 1 if before else 0)
+        options = [
+            text
+            for key, value in run_time.items()
+            for text in (RUN_TIME[key], text_of(value) if isinstance(value, int) else repr(value))
+        ]
+        job = Job(
+            name,
+            program,
+            options,
+            with_values(self.plan.cases[program], run_time),
+            before and before.name,
+            before.stage + 1 if before else 0,
+        )
         known = self.plan.jobs.setdefault(name, job)
         if (known.program, known.options, known.start) != (job.program, job.options, job.start):
-            refuse(self.sweep.path, "[vary]", f"two points would both be called {name}", "use values whose names differ in letters and digits")
+            refuse(
+                self.sweep.path,
+                "[vary]",
+                f"two points would both be called {name}",
+                "use values whose names differ in letters and digits",
+            )
         return known
 
 

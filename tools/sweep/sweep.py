@@ -12,7 +12,6 @@ import argparse
 import json
 import os
 import shlex
-import shutil
 import signal
 import subprocess
 import sys
@@ -20,65 +19,18 @@ import time
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-import tomli_w  # noqa: E402
 from collect import page, points_of, write_points, write_speed  # noqa: E402
 from engines import Parallel, Slurm  # noqa: E402
 from job import run_of  # noqa: E402
 from kept_run import write_whole  # noqa: E402
 from pictures import draw  # noqa: E402
+from plan_files import job_list, write_cases  # noqa: E402
 from points import RUN_TIME, plan_of  # noqa: E402
 from sweep_file import Refused, read_sweep  # noqa: E402
 
 
 def say(text):
     print(f"fixdem: {text}", flush=True)
-
-
-def check(casegen, path, name):
-    asked = subprocess.run([casegen, path], check=False, capture_output=True, text=True)
-    if asked.returncode != 0:
-        raise Refused(f"the sweep needs a case that is refused: {name}\n{asked.stderr.strip()}", asked.returncode)
-
-
-def write_cases(plan, folder, casegen):
-    """The derived cases, checked by casegen in a folder beside, which stays when one is refused; those that have not changed are left
-    alone, so that they need not be compiled again, and those of an earlier form of the sweep go."""
-    trial = folder.with_name(folder.name + ".checked")
-    shutil.rmtree(trial, ignore_errors=True)
-    trial.mkdir(parents=True)
-    texts = {name: tomli_w.dumps(case) for name, case in plan.cases.items()}
-    seen = set()
-    for name in (job.program for job in plan.jobs.values()):  # those that others start from come first
-        if name not in seen:
-            (trial / f"{name}.toml").write_text(texts[name])
-            check(casegen, trial / f"{name}.toml", name)
-            seen.add(name)
-    for job in plan.jobs.values():
-        values = [*zip(job.options[::2], job.options[1::2])]
-        if not seen.issuperset(values):  # a value that one case may have, others may have too
-            (trial / f"{job.program}.toml").write_text(tomli_w.dumps(job.checked))
-            check(casegen, trial / f"{job.program}.toml", job.name)
-            (trial / f"{job.program}.toml").write_text(texts[job.program])
-            seen.update(values)
-    folder.mkdir(exist_ok=True)
-    for path in folder.glob("*.toml"):
-        if path.stem not in texts:
-            path.unlink()
-    for name, text in texts.items():
-        path = folder / f"{name}.toml"
-        if not path.exists() or path.read_text() != text:
-            (trial / path.name).replace(path)
-    shutil.rmtree(trial)
-
-
-def job_list(sweep, plan, programs):
-    harmless = ["--checkpoint-interval", repr(float(sweep.checkpoint_interval))] if sweep.checkpoint_interval else []
-    last = {name for _, name in plan.points}
-    return [
-        {"name": job.name, "program": str(programs / job.program), "harmless": harmless, "start": job.start, "stage": job.stage,
-         "options": [*job.options, *([] if sweep.frames and job.name in last else ["--no-frames"])]}
-        for job in plan.jobs.values()
-    ]  # fmt: skip
 
 
 def missing(out, jobs):
@@ -126,21 +78,35 @@ def make_sweep(chosen):
     write_cases(plan, out / "cases", chosen.casegen)
     jobs = job_list(sweep, plan, chosen.programs.resolve())
     write_whole(out / "jobs.jsonl", "".join(json.dumps(job) + "\n" for job in jobs))
-    say(f"{sweep.title}: {len(plan.points)} points, {len(plan.cases)} programs, {len(jobs)} runs in {1 + max(j['stage'] for j in jobs)} stage(s)")
+    say(
+        f"{sweep.title}: {len(plan.points)} points, {len(plan.cases)} programs, "
+        f"{len(jobs)} runs in {1 + max(j['stage'] for j in jobs)} stage(s)"
+    )
     say(f"run-time values, options of a program: {', '.join('.'.join(key) for key in RUN_TIME)}; all others are compiled in")
     if subprocess.run([*shlex.split(chosen.make), "build-sweep"], check=False).returncode != 0:
         raise Refused("the programs of the sweep cannot be built (see above)", 1)
 
     count = sum(map(len, missing(out, jobs)))
     say(f"{len(jobs) - count} of {len(jobs)} runs are there, {count} are missing; results in {chosen.out}")
-    engine = Slurm(out, chosen.jobs) if chosen.engine == "slurm" else Parallel(out, chosen.jobs, chosen.hosts, *([chosen.ssh] if chosen.ssh else []))
+    engine = (
+        Slurm(out, chosen.jobs)
+        if chosen.engine == "slurm"
+        else Parallel(out, chosen.jobs, chosen.hosts, *([chosen.ssh] if chosen.ssh else []))
+    )
     stopped, speed_file = None, out / "sweep.json"
     if count:
         entry, stopped = run_missing(out, jobs, engine, engine.ROUNDS)
-        entry |= {"particle_steps_per_second": entry["particle_steps"] / entry["seconds"], "engine": chosen.engine,
-                  "jobs": chosen.jobs or os.cpu_count(), "hosts": str(chosen.hosts) if chosen.hosts else None}
+        entry |= {
+            "particle_steps_per_second": entry["particle_steps"] / entry["seconds"],
+            "engine": chosen.engine,
+            "jobs": chosen.jobs or os.cpu_count(),
+            "hosts": str(chosen.hosts) if chosen.hosts else None,
+        }
         write_speed(speed_file, entry)
-        say(f"{entry['runs']} runs in {entry['seconds']:.1f} s, {1e-6 * entry['particle_steps_per_second']:.3g} million particle-steps/s together")
+        say(
+            f"{entry['runs']} runs in {entry['seconds']:.1f} s, "
+            f"{1e-6 * entry['particle_steps_per_second']:.3g} million particle-steps/s together"
+        )
     return collect(sweep, plan, out, jobs, speed_file, stopped)
 
 
@@ -151,10 +117,13 @@ def collect(sweep, plan, out, jobs, speed_file, stopped):
     entries = json.loads(speed_file.read_text()) if speed_file.exists() else []
     write_whole(out / "sweep.md", page(sweep, points, pictures, entries))
     bad = [point for point in points if not point.summary]
+    failed = sum(point.state == "failed" for point in bad)
     for point in bad[:20]:
         print(f"fixdem: {point.name}: {point.state}: {point.record.get('message', 'not run')}", file=sys.stderr)
-    say(f"{len(points) - len(bad)} points done, {sum(p.state == 'failed' for p in bad)} failed, {sum(p.state != 'failed' for p in bad)} missing: "
-        f"{out}/points.csv, sweep.md, sweep.json")
+    say(
+        f"{len(points) - len(bad)} points done, {failed} failed, {len(bad) - failed} missing: "
+        f"{out}/points.csv, sweep.md, sweep.json"
+    )
     if stopped:
         say("stopped; the same command goes on from the checkpoints")
         return 130
@@ -170,7 +139,9 @@ def main():
     arguments.add_argument("--programs", type=Path, required=True, help="folder of the programs that --make builds")
     arguments.add_argument("--make", required=True, help="command whose target build-sweep compiles OUT/cases/*.toml")
     arguments.add_argument("--engine", choices=("parallel", "slurm"), default="parallel")
-    arguments.add_argument("--jobs", type=int, help="runs at a time, on each host; default: one per core; with Slurm as many as it likes")
+    arguments.add_argument(
+        "--jobs", type=int, help="runs at a time, on each host; default: one per core; with Slurm as many as it likes"
+    )
     arguments.add_argument("--hosts", type=Path, help="GNU parallel's --sshloginfile; the hosts share this folder")
     arguments.add_argument("--ssh", help="another command in place of ssh and its options")
     chosen = arguments.parse_args()
@@ -179,7 +150,10 @@ def main():
     if chosen.jobs is not None and chosen.jobs < 1:
         arguments.error("--jobs: a number of runs at a time, one or more, is needed")
     if chosen.hosts and not chosen.hosts.is_file():
-        print(f"fixdem: {chosen.hosts}: no such file; HOSTS is a list of hosts, one per line, as GNU parallel's --sshloginfile has it", file=sys.stderr)
+        print(
+            f"fixdem: {chosen.hosts}: no such file; HOSTS is a list of hosts, one per line (GNU parallel's --sshloginfile)",
+            file=sys.stderr,
+        )
         return 6
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:

@@ -81,8 +81,12 @@ def flat(path, heading, table, before=()):
         if isinstance(value, dict) and not is_range(value):
             yield from flat(path, heading, value, key)
         elif not 2 <= len(key) <= 3 or not all(key):
-            refuse(path, f"[{heading}] {'.'.join(key)}", "not the key of a case",
-                   'allowed: table.key, as in "gas.bulk_velocity", or case.table.key for a case that the base starts from')
+            refuse(
+                path,
+                f"[{heading}] {'.'.join(key)}",
+                "not the key of a case",
+                'allowed: table.key, as in "gas.bulk_velocity", or case.table.key for a case that the base starts from',
+            )
         else:
             yield key, value
 
@@ -103,7 +107,9 @@ def values_of_range(path, key, given):
     else:
         step = given["step"]
         if step == 0 or (last - first) / step < 0:
-            refuse(path, key, f"step = {step!r} does not lead from {first!r} to {last!r}", "allowed: a step towards `to`, not zero")
+            refuse(
+                path, key, f"step = {step!r} does not lead from {first!r} to {last!r}", "allowed: a step towards `to`, not zero"
+            )
         count = int(min((last - first) / step + 1e-9, MOST_POINTS)) + 1
     if count > MOST_POINTS:
         refuse(path, key, f"more than {MOST_POINTS} values", "choose a larger step")
@@ -115,7 +121,9 @@ def values_of(path, key, given):
     if is_range(given):
         return values_of_range(path, key, given)
     if not isinstance(given, list) or not given:
-        refuse(path, key, f"{given!r}", "allowed: a list with at least one value, or a range; what stays the same belongs in [set]")
+        refuse(
+            path, key, f"{given!r}", "allowed: a list with at least one value, or a range; what stays the same belongs in [set]"
+        )
     for k, value in enumerate(given):
         if value in given[:k]:
             refuse(path, key, f"{value!r} twice", "each value gives a point: name it once")
@@ -154,10 +162,15 @@ def read_sweep(path, cases):
     }
     for key, (kind, allowed) in checks.items():
         value = contents.get(key)
-        wrong = value is not None and (not isinstance(value, kind) or (key == "checkpoint_interval" and not (is_number(value) and value > 0)))
+        wrong = value is not None and (
+            not isinstance(value, kind) or (key == "checkpoint_interval" and not (is_number(value) and value > 0))
+        )
         if wrong:
             refuse(path, key, f"{value!r}", f"allowed: {allowed}")
-    axes = {key: values_of(path, f"[vary] {'.'.join(key)}", value) for key, value in flat(path, "vary", read_table(path, contents, "vary"))}
+    axes = {
+        key: values_of(path, f"[vary] {'.'.join(key)}", value)
+        for key, value in flat(path, "vary", read_table(path, contents, "vary"))
+    }
     if not axes:
         refuse(path, "[vary]", "nothing to vary", 'needed: at least one key, as in "start.seed" = [1, 2, 3]')
     if math.prod(map(len, axes.values())) > MOST_POINTS:
@@ -168,8 +181,16 @@ def read_sweep(path, cases):
             refuse(path, f"[set] {'.'.join(key)}", "a range", "allowed: one value; ranges belong in [vary]")
         if key in axes:
             refuse(path, ".".join(key), "in [vary] and in [set]", "name it in one of them")
-    sweep = Sweep(path, contents.get("title", path.stem), base_path(path, contents.get("base"), cases), axes, fixed,
-                  contents.get("frames", False), contents.get("checkpoint_interval"), read_table(path, contents, "plot", PLOT))
+    sweep = Sweep(
+        path,
+        contents.get("title", path.stem),
+        base_path(path, contents.get("base"), cases),
+        axes,
+        fixed,
+        contents.get("frames", False),
+        contents.get("checkpoint_interval"),
+        read_table(path, contents, "plot", PLOT),
+    )
     check_plot(sweep)
     return sweep
 
@@ -182,9 +203,9 @@ def check_plot(sweep):
         if given is None:
             continue
         if not isinstance(keys, list) or not all(isinstance(key, str) for key in keys):
-            sweep.refuse(f"[plot] {name}", f"{given!r}", "allowed: a key in double quotes" if name == "x" else "allowed: a list of texts")
+            sweep.refuse(
+                f"[plot] {name}", f"{given!r}", "allowed: a key in double quotes" if name == "x" else "allowed: a list of texts"
+            )
         for key in keys if name != "y" else ():
             if key not in varied:
                 sweep.refuse(f"[plot] {name}", f"'{key}' is not varied", nearest(key, varied))
-
-
