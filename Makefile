@@ -209,7 +209,7 @@ scaling_sweep = out/scaling/sweep-on-$(1)
 bench-scaling:  ## throughput of one core, of a sweep on 1 and 2 cores, of LAMMPS on 1 and 2 ranks, and when to leave one core: bench/README.md
 	$(needs) run bench report sweep export mpi lammps
 	+@for json in $(scaling_runs); do $(MAKE) bench-set JSON=$$json FILTER='^step/bed/10+/double'; done
-	+@for n in 1 2; do rm -rf $(call scaling_sweep,$$n); $(MAKE) sweep SWEEP=cases/sweeps/bed_seeds.toml OUT=$(call scaling_sweep,$$n) JOBS=$$n; done
+	+@for n in 1 2; do rm -rf $(call scaling_sweep,$$n); $(MAKE) sweep SWEEP=cases/sweeps/throughput.toml OUT=$(call scaling_sweep,$$n) JOBS=$$n; done
 	tools/scaling/bench_scaling.py --bench $(scaling_runs) --sweeps $(foreach n,1 2,$(call scaling_sweep,$n)/sweep.json) \
 	  --header $(build)/cases/pipe_bed.hpp --state out/pipe_bed/final.fixdem --out out/scaling/lammps --lmp '$(or $(LMP),lmp)' \
 	  --mpirun '$(MPIRUN)' --readme bench/README.md --picture bench/reports/scaling
