@@ -49,7 +49,7 @@ class SlicesOverRanks {
     for (std::size_t group = 0; group < is_own_.size(); ++group) {
       if (!all && !is_own_[group]) continue;
       const double residual = detail::solve_slices<Case, W>(slices_, static_cast<int>(group) * W);
-      if (!(residual <= greatest)) greatest = residual;
+      greatest = greatest >= residual || greatest != greatest ? greatest : residual;  // one that is no number stays
     }
     return greatest;
   }
