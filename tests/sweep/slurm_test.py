@@ -25,7 +25,7 @@ from counted import run_and_count  # noqa: E402
 from sweep_runs import SweepRuns, different, interrupt, kill_tree, wait_for  # noqa: E402
 
 scratch = Path(sys.argv[1]).resolve()
-# cred_expire: a run that is queued again is held back until the credentials of its last start have expired, by default two minutes.
+# cred_expire: a run that is queued again is held back until the credentials of its last start have expired, else two minutes.
 CONFIG = """ClusterName=fixdemtest
 SlurmctldHost={host}(127.0.0.1)
 SlurmctldPort={controller_port}
