@@ -16,7 +16,7 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(root / "tests"), str(root / "tools" / "peers"), str(root / "tools" / "report")]
 
 import counted  # noqa: E402
-import report  # noqa: E402
+import rates  # noqa: E402
 from case_values import law_of, read_case  # noqa: E402
 from checking import Check, check_bed, worst  # noqa: E402
 from derived_cases import derived, with_value  # noqa: E402
@@ -194,10 +194,10 @@ class Verdicts(WithFolder):
         self.assertEqual([check.holds for check in checks], [False, True, True])
 
     def test_ratios_are_of_best_runs(self):
-        rows = report.rows_of("bed", {"fixdem": [0.2, 0.1], "lammps": [2.0, 1.0, 3.0]}, 1000, {"fixdem": "", "lammps": "skin"})
+        rows = rates.rows_of("bed", {"fixdem": [0.2, 0.1], "lammps": [2.0, 1.0, 3.0]}, 1000, {"fixdem": "", "lammps": "skin"})
         self.assertEqual([(row.best, row.ratio) for row in rows], [(10000.0, 1.0), (1000.0, 10.0)])
-        rows = report.rows_of("bed", {"fixdem": [0.5, 0.25], "lammps": [4.0, 5.0]}, 4e6, {"fixdem": "", "lammps": "skin"})
-        self.assertEqual(report.table(rows).splitlines()[-1], "| `bed` | lammps | 2 | 1.00 | 0.80 (-20%) | 16.00 | skin |")
+        rows = rates.rows_of("bed", {"fixdem": [0.5, 0.25], "lammps": [4.0, 5.0]}, 4e6, {"fixdem": "", "lammps": "skin"})
+        self.assertEqual(rates.table(rows).splitlines()[-1], "| `bed` | lammps | 2 | 1.00 | 0.80 (-20%) | 16.00 | skin |")
 
     def test_a_readme_without_marks_is_refused_and_one_with_keeps_the_rest(self):
         with self.assertRaisesRegex(SystemExit, "no line"):

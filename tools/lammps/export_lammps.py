@@ -48,6 +48,9 @@ def main():
     arguments.add_argument("--repeat", type=positive, default=1, help="copies one behind the other along a periodic pipe")
     arguments.add_argument("--out", type=Path, required=True, help="folder of the files")
     chosen = arguments.parse_args()
+    if not chosen.state.is_file():
+        raise Failed(6, f"{chosen.state}: no such file; STATE is the final.fixdem of a run of this case (make run CASE=...), "
+                        "and without STATE the export is of the case's own start")
     case, state = read_header(chosen.header), read_final(chosen.state)
     try:
         texts = files(case, law_of(case), state, chosen.origin or f"the state {chosen.state}", chosen.repeat)

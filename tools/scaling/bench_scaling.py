@@ -16,10 +16,11 @@ sys.path[:0] = [str(tools / name) for name in ("report", "bench_report", "peers"
 from bench_report import read
 from case_values import law_of, read_header
 from cost_model import OneCore, ranks_from
+from ending import finish
+from export_lammps import write_all
 from marked_part import MarkedPart
 from report import gnuplot, machine, number, table
 from run_lammps import run, summary
-from export_lammps import write_all
 from scene_files import files
 from states import read_final
 
@@ -52,7 +53,7 @@ def lammps_rates(header, state_file, folder, lmp, mpirun, runs):
             for ranks in RANKS:
                 print(f"bench-scaling: LAMMPS, {particles} particles, {ranks} ranks, run {number_of_run + 1} of {runs}", flush=True)
                 run(place, lmp, ranks, mpirun, steps=max(20, round(PARTICLE_STEPS / particles)), frames=0, quiet=True)
-                outcome = summary(place, case, repeat)
+                outcome = summary(place, case, ranks, repeat)
                 rates.setdefault((particles, ranks), []).append(outcome["performance"]["particle_steps_per_second"])
     return rates
 
@@ -70,13 +71,13 @@ def million(rate):
 
 
 def measured(core, sweeps, lammps):
-    rows = [["fixdem, settled bed", f"{n:.0e}", "1 core", million(rate), ""] for n, rate in core.items()]
+    rows = [["fixdem, settled bed", whole(n), "1 core", million(rate), ""] for n, rate in core.items()]
     first, second = (sweep["particle_steps_per_second"] for sweep in sweeps)
-    rows.append([f"a sweep of {sweeps[0]['runs']} beds that settle", "1e+03 each", "1 core", million(first), ""])
-    rows.append(["the same sweep", "1e+03 each", "2 cores", million(second), f"{second / first:.2f}"])
+    rows.append([f"a sweep of {sweeps[0]['runs']} beds that settle", "1000 each", "1 core", million(first), ""])
+    rows.append(["the same sweep", "1000 each", "2 cores", million(second), f"{second / first:.2f}"])
     for (particles, ranks), rates in sorted(lammps.items()):
         gain = f"{max(rates) / max(lammps[particles, 1]):.2f}" if ranks > 1 else ""
-        rows.append(["LAMMPS, settled bed", f"{particles:.0e}", f"{ranks} rank{'s' * (ranks > 1)}", million(max(rates)), gain])
+        rows.append(["LAMMPS, settled bed", whole(particles), f"{ranks} rank{'s' * (ranks > 1)}", million(max(rates)), gain])
     return table(["what", "particles", "on", "million particle-steps/s", "gain over one"], rows)
 
 
@@ -88,7 +89,8 @@ def duration(seconds):
 
 
 def whole(value):
-    return "none" if value is None else f"{value:,}".replace(",", " ")
+    """With blanks between thousands, as everywhere in the text."""
+    return "none" if value is None else f"{value:,}".replace(",", " ") if value >= 10_000 else str(value)
 
 
 def estimate(core, ranks, bytes_per_particle, time_step):
@@ -100,7 +102,7 @@ def estimate(core, ranks, bytes_per_particle, time_step):
         on_one = core.step(particles) * steps
         efficiency = ranks.per_particle * particles / in_a_day / ranks.step(particles, in_a_day) if in_a_day else None
         rows.append([
-            f"{particles:.0e}", f"{particles * bytes_per_particle / 1e9:.3g} GB", duration(on_one), whole(equal),
+            whole(particles), f"{particles * bytes_per_particle / 1e9:.3g} GB", duration(on_one), whole(equal),
             "1 core is enough" if on_one <= DAY else f"{whole(in_a_day)} ranks ({efficiency:.0%} efficient)",
         ])
     head = ["particles", "memory on one core", "one core takes for 1 s", "ranks as fast as one core", "for 1 s in a day"]
@@ -120,7 +122,7 @@ def draw(core, ranks, time_step, path):
         f"$scaling index {k} with lines lw {3 if k == 0 else 1.5} title '{title}'" for k, title in enumerate(titles)
     )
     gnuplot(
-        f"$scaling << EOD\n{data}\nEOD\nset logscale xy\nset format '10^{{%T}}'\nset grid\nset key left top\n"
+        f"$scaling << EOD\n{data}\nEOD\nset logscale xy\nset xrange [1e3:1e9]\nset format '10^{{%T}}'\nset grid\nset key left top\n"
         f"set xlabel 'particles'\nset ylabel 'hours for one simulated second'\n"
         f"set arrow from 1e3,24 to 1e9,24 nohead dashtype 2\nset label 'a day' at 1.2e3,36\nplot {curves}\n", path,
     )
@@ -131,8 +133,8 @@ def words(core, ranks):
     longest = DAY / (core.cost(PIPES[-1]) * 5e5)
     return (
         f"Constants: one core {core.cost(1e3) * 1e9:.3g} ns per particle-step at 1000 particles, {core.cost(1e9) * 1e9:.3g} ns from "
-        f"{max(core.costs):.0e} on; LAMMPS a = {ranks.per_particle * 1e9:.4g} ns per particle-step, b = {ranks.per_step * 1e6:.3g} us per step.\n\n"
-        f"So: many scenes, each of a size for one core, are a sweep. One scene stays on one core up to {longest:.1e} particles if a simulated "
+        f"{whole(max(core.costs))} on; LAMMPS a = {ranks.per_particle * 1e9:.4g} ns per particle-step, b = {ranks.per_step * 1e6:.3g} us per step.\n\n"
+        f"So: many scenes, each of a size for one core, are a sweep. One scene stays on one core up to {longest / 1e6:.2g} million particles if a simulated "
         f"second (500 000 steps) may take a day; beyond, LAMMPS needs {whole(equal)} ranks to be as fast as that core, and pays from there on."
     )
 
@@ -168,4 +170,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    finish("bench-scaling", main)
