@@ -25,13 +25,17 @@ class CostModel(unittest.TestCase):
 
     def test_constants_of_known_step_times_come_back(self):
         known = Ranks(per_particle=3e-7, per_step=4e-5)
-        found = ranks_from({n: known.step(n, 2) for n in (1000, 10000, 100000)}, 2)
-        self.assertAlmostEqual(found.per_particle / known.per_particle, 1, places=9)
+        sizes = (1000, 10000, 100_000_000)
+        found = ranks_from({n: known.per_particle * n for n in sizes}, {n: known.step(n, 2) for n in sizes}, 2)
+        self.assertAlmostEqual(found.per_particle / known.per_particle, 1, places=5)
         self.assertAlmostEqual(found.per_step / known.per_step, 1, places=9)
+
+    def test_exchange_is_never_less_than_nothing(self):
+        self.assertEqual(ranks_from({1000: 1.0, 10000: 10.0}, {1000: 0.4, 10000: 4.0}, 2).per_step, 0)
 
     def test_one_size_tells_nothing(self):
         with self.assertRaisesRegex(ValueError, "two sizes"):
-            ranks_from({1000: 1.0}, 2)
+            ranks_from({1000: 1.0}, {1000: 1.0}, 2)
 
     def test_ranks_needed_reach_the_step_time_and_one_less_does_not(self):
         ranks = Ranks(per_particle=3e-7, per_step=4e-5)

@@ -158,7 +158,8 @@ def main():
     sweeps = [sweep_of(path) for path in chosen.sweeps]
     lammps = lammps_rates(chosen.header, chosen.state, chosen.out, chosen.lmp, chosen.mpirun, chosen.runs)
     core = OneCore({n: 1 / rate for n, rate in rates.items()})
-    ranks = ranks_from({n: n / max(values) for (n, p), values in lammps.items() if p == RANKS[-1]}, RANKS[-1])
+    alone, together = ({n: n / max(values) for (n, p), values in lammps.items() if p == count} for count in RANKS)
+    ranks = ranks_from(alone, together, RANKS[-1])
     time_step = read_header(chosen.header)["time_step"]
     draw(core, ranks, time_step, chosen.picture)
     text = "\n\n".join([

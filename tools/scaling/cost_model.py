@@ -2,12 +2,12 @@
 
 One core: t = N c(N), c between the measured sizes by interpolation of both logarithms, and constant beyond them.
 Ranks: t = a N / p + b. a is what a particle costs its rank; b what a rank spends in each step on its neighbours, whatever
-N is: ranks divide a pipe into slabs, so that each has the same two cross-sections to exchange however long the pipe. Both
-come from runs on two ranks. Times in s, N particles.
+N is: ranks divide a pipe into slabs, so that each has the same two cross-sections to exchange however long the pipe. a is
+taken from the largest pipe on several ranks, where b does not count and all of them share the memory; b from the smallest,
+where it counts most: what a step takes beyond its share of a step on one rank. Times in s, N particles.
 """
 
 import math
-import statistics
 from bisect import bisect_right
 from dataclasses import dataclass
 
@@ -45,11 +45,9 @@ class Ranks:
         return max(1, math.ceil(self.per_particle * particles / left)) if left > 0 else None
 
 
-def ranks_from(step_times, ranks):
-    """From N -> s per step on so many ranks: a and b of the straight line t p / N = a + b p / N, which weighs sizes alike."""
-    if len(step_times) < 2:
-        raise ValueError(f"two sizes or more are needed to tell a from b; there is {sorted(step_times)}")
-    line = statistics.linear_regression(
-        [ranks / particles for particles in step_times], [time * ranks / particles for particles, time in step_times.items()]
-    )
-    return Ranks(per_particle=line.intercept, per_step=max(0.0, line.slope))
+def ranks_from(alone, together, ranks):
+    """From N -> s per step on one rank, and on so many: a of the largest N and b of the smallest."""
+    if len(together) < 2 or set(alone) != set(together):
+        raise ValueError(f"two sizes or more are needed, each on one rank and on {ranks}; there are {sorted(alone)} and {sorted(together)}")
+    small, large = min(together), max(together)
+    return Ranks(per_particle=together[large] * ranks / large, per_step=max(0.0, together[small] - alone[small] / ranks))
