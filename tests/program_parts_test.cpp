@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -266,6 +267,27 @@ TEST_CASE("dump: a LAMMPS section that reads back exactly") {
         "ITEM: TIMESTEP\n500\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff pp\n-0.025 0.025\n-0.025 0.025\n0 0.8\n"
         "ITEM: ATOMS id type x y z vx vy vz omegax omegay omegaz radius\n"
         "1 1 0.001 -0.002 0.1 1 2 3 4 5 6 0.005\n2 1 0 0 0.109 -1 0 1e-300 0 0 -0 0.005\n");
+}
+
+TEST_CASE("frame: as text it has the same bits, and what OVITO asks of a VTP file: no appended data, positions in Points") {
+  Snapshot snapshot;
+  snapshot.particles = example_state().particles;
+  snapshot.particles[0].velocity[1] = 0.1 + 0.2;
+  const std::string vtp = encode_vtp(snapshot, 0.005, VtpData::text);
+  CHECK(vtp.find("appended") == std::string::npos);
+  CHECK(vtp.find("AppendedData") == std::string::npos);
+  const std::string points = "Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">";
+  REQUIRE(vtp.find(points) != std::string::npos);
+  CHECK(vtp.substr(vtp.find(points) + points.size()).starts_with("0.001 -0.002 0.1 0 0 0.109</DataArray>"));
+  const std::string velocity = "Name=\"velocity\" NumberOfComponents=\"3\" format=\"ascii\">";
+  std::istringstream values(vtp.substr(vtp.find(velocity) + velocity.size()));
+  for (const Particle& particle : snapshot.particles)
+    for (const double expected : particle.velocity) {
+      double value = -1;
+      values >> value;
+      CHECK(value == expected);
+    }
+  CHECK(vtp.find("Name=\"id\" NumberOfComponents=\"1\" format=\"ascii\">0 1</DataArray>") != std::string::npos);
 }
 
 TEST_CASE(

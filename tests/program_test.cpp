@@ -195,7 +195,7 @@ TEST_CASE("program: the last frame holds the final state, and frames.pvd lists e
   const std::string vtp = run.file(frames.back().c_str());
   CHECK(contains(vtp, "header_type=\"UInt64\""));
   CHECK(contains(vtp, "NumberOfPoints=\"150\" NumberOfVerts=\"150\""));
-  const auto position = vtp_array<double>(vtp, "position"), velocity = vtp_array<double>(vtp, "velocity"),
+  const auto position = vtp_array<double>(vtp, "Points"), velocity = vtp_array<double>(vtp, "velocity"),
              spin = vtp_array<double>(vtp, "angular_velocity"), radius = vtp_array<double>(vtp, "radius");
   const auto id = vtp_array<std::int32_t>(vtp, "id"), contacts = vtp_array<std::int32_t>(vtp, "contacts");
   const auto connectivity = vtp_array<std::int64_t>(vtp, "connectivity"),

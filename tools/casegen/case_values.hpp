@@ -82,6 +82,7 @@ struct CaseValues {
 
   double log_interval = 0;         // s
   double frame_interval = 0;       // s; 0: no frames
+  std::string frame_data = "binary";
   double sample_interval = 0.01;   // s
   double checkpoint_interval = 0;  // s; 0: by the clock
   bool dump = false;

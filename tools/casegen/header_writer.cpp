@@ -122,6 +122,7 @@ void write_program(Members& members, const CaseValues& v) {
   members.real("frame_interval", v.frame_interval, "s");
   members.real("sample_interval", v.sample_interval, "s");
   members.real("checkpoint_interval", v.checkpoint_interval, "s");
+  members.flag("text_frames", v.frame_data == "text");
   members.flag("dump", v.dump);
   members.real("reference_speed", v.reference_speed, "m/s");
   members.real("overlap_warning", v.overlap_warning, "radii");

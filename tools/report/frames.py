@@ -1,4 +1,4 @@
-"""Reads what a run writes for ParaView: the list of frames (.pvd) and a frame (.vtp, binary data appended raw).
+"""Reads what a run writes for ParaView or OVITO: the list of frames (.pvd) and a frame (.vtp, data appended raw or as text).
 
 Only the standard library is used. A frame becomes a dictionary: array name -> list of values, or of tuples for arrays
 with several components; the particles' positions are the array named by Points, field data (one list per frame, such as
@@ -20,28 +20,39 @@ def frame_list(pvd):
     return sorted((float(entry.get("timestep")), pvd.parent / entry.get("file")) for entry in entries)
 
 
+class Appended:
+    """Arrays behind the XML, each preceded by its size in bytes."""
+
+    def __init__(self, data, start, header):
+        self.data, self.at = data, data.index(b"_", start) + 1
+        self.order = "<" if header.get("byte_order") == "LittleEndian" else ">"
+        self.length_code = CODES[header.get("header_type", "UInt32")]
+
+    def values(self, offset, code):
+        at = self.at + offset
+        (size,) = struct.unpack_from(self.order + self.length_code, self.data, at)
+        count = size // struct.calcsize(code)
+        return struct.unpack_from(f"{self.order}{count}{code}", self.data, at + struct.calcsize(self.length_code))
+
+
 def read_frame(path):
     data = Path(path).read_bytes()
     start = data.find(b"<AppendedData")
-    if start < 0 or b'encoding="raw"' not in data[start : start + 80]:
-        raise SystemExit(f"{path}: no raw appended data: not a frame of fixdem")
-    raw = data.index(b"_", start) + 1
-    header = ElementTree.fromstring(data[:start] + b"</VTKFile>")
-    order = "<" if header.get("byte_order") == "LittleEndian" else ">"
-    length_code = CODES[header.get("header_type", "UInt32")]
+    if start >= 0 and b'encoding="raw"' not in data[start : start + 80]:
+        raise SystemExit(f"{path}: its appended data are not raw: not a frame of fixdem")
+    header = ElementTree.fromstring(data[:start] + b"</VTKFile>" if start >= 0 else data)
+    appended = Appended(data, start, header) if start >= 0 else None
     arrays = {}
     for parent in ("FieldData", "Points", "PointData"):
         for array in header.find(f".//{parent}").iter("DataArray"):
-            if array.get("format") != "appended":
-                continue
             code = CODES[array.get("type")]
-            at = raw + int(array.get("offset"))
-            (size,) = struct.unpack_from(order + length_code, data, at)
-            count = size // struct.calcsize(code)
-            values = struct.unpack_from(f"{order}{count}{code}", data, at + struct.calcsize(length_code))
+            if array.get("format") == "ascii":
+                values = tuple(map(float if code in "df" else int, (array.text or "").split()))
+            else:
+                values = appended.values(int(array.get("offset")), code)
             width = int(array.get("NumberOfComponents", "1"))
             name = "position" if parent == "Points" else re.sub(r"\W+", "_", array.get("Name"))
-            arrays[name] = values if width == 1 else [values[i : i + width] for i in range(0, count, width)]
+            arrays[name] = values if width == 1 else [values[i : i + width] for i in range(0, len(values), width)]
     return arrays
 
 

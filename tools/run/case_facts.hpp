@@ -36,7 +36,7 @@ struct CaseFacts {
   double max_overlap;      ///< in radii; the kernel stops beyond
   double overlap_warning;  ///< in radii
   double stability_limit;  ///< of the time step, in stable steps (stability_watch.hpp)
-  bool dump, energy_ledger;
+  bool text_frames, dump, energy_ledger;
 
   NormalLaw normal;
   TangentialLaw tangential;
@@ -112,7 +112,7 @@ constexpr CaseFacts case_facts() {
   f.reference_speed = Case::reference_speed;
   f.max_overlap = Case::max_overlap, f.overlap_warning = Case::overlap_warning;
   f.stability_limit = Case::stability_limit;
-  f.dump = Case::dump, f.energy_ledger = Case::energy_ledger;
+  f.text_frames = Case::text_frames, f.dump = Case::dump, f.energy_ledger = Case::energy_ledger;
   f.normal = Case::normal, f.tangential = Case::tangential, f.slider = Case::slider;
   f.damping_mass = Case::damping_mass, f.damping = Case::damping;
   f.bed_height = Case::gas_bed_height, f.integrator = Case::integrator;

@@ -1,6 +1,6 @@
 #include "frames_vtp.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <bit>
 #include <cstdint>
@@ -12,25 +12,32 @@
 namespace fixdem::program {
 namespace {
 
-/// Collects the arrays behind the XML header and remembers where each begins.
-class AppendedData {
+/// Writes the elements of arrays, with their values or with the place of these behind the XML.
+class ArrayWriter {
  public:
+  explicit ArrayWriter(VtpData kind) : kind_(kind) {}
+
   template <class T>
   std::string array(const char* name, const char* type, int components, const std::vector<T>& values) {
-    return fmt::format(
-        "        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
-        type, name, components, append(values));
+    return element(name, type, fmt::format("NumberOfComponents=\"{}\"", components), values);
   }
   /// Field data: as long as it likes, not one value for each point.
   template <class T>
   std::string field(const char* name, const char* type, const std::vector<T>& values) {
-    return fmt::format(
-        "      <DataArray type=\"{}\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"appended\" offset=\"{}\"/>\n", type,
-        name, values.size(), append(values));
+    return element(name, type, fmt::format("NumberOfTuples=\"{}\"", values.size()), values);
   }
-  const std::string& bytes() const { return bytes_; }
+  /// What comes behind the XML of the data set; nothing when the values are text.
+  std::string appended() const {
+    return kind_ == VtpData::text ? "" : "  <AppendedData encoding=\"raw\">\n_" + bytes_ + "\n  </AppendedData>\n";
+  }
 
  private:
+  template <class T>
+  std::string element(const char* name, const char* type, const std::string& size, const std::vector<T>& values) {
+    const std::string tag = fmt::format("        <DataArray type=\"{}\" Name=\"{}\" {}", type, name, size);
+    if (kind_ == VtpData::text) return fmt::format("{} format=\"ascii\">{}</DataArray>\n", tag, fmt::join(values, " "));
+    return fmt::format("{} format=\"appended\" offset=\"{}\"/>\n", tag, append(values));
+  }
   template <class T>
   std::size_t append(const std::vector<T>& values) {
     const std::uint64_t size = values.size() * sizeof(T);
@@ -40,6 +47,7 @@ class AppendedData {
     return offset;
   }
 
+  VtpData kind_;
   std::string bytes_;
 };
 
@@ -58,13 +66,13 @@ std::vector<double> flat(const Snapshot& snapshot, const std::vector<int>& chose
 
 }  // namespace
 
-std::string encode_vtp(const Snapshot& snapshot, double radius) {
+std::string encode_vtp(const Snapshot& snapshot, double radius, VtpData kind) {
   std::vector<int> all(snapshot.particles.size());
   std::iota(all.begin(), all.end(), 0);
-  return encode_vtp(snapshot, radius, all);
+  return encode_vtp(snapshot, radius, kind, all);
 }
 
-std::string encode_vtp(const Snapshot& snapshot, double radius, const std::vector<int>& chosen) {
+std::string encode_vtp(const Snapshot& snapshot, double radius, VtpData kind, const std::vector<int>& chosen) {
   const std::size_t n = chosen.size();
   std::vector<std::int32_t> id(n), contacts(n);
   std::vector<std::int64_t> connectivity(n), offsets(n);
@@ -75,7 +83,7 @@ std::string encode_vtp(const Snapshot& snapshot, double radius, const std::vecto
     connectivity[i] = static_cast<std::int64_t>(i);
     offsets[i] = static_cast<std::int64_t>(i) + 1;
   }
-  AppendedData data;
+  ArrayWriter data(kind);
   const std::string gas = snapshot.pressure_gradients.empty()
                               ? std::string()
                               : data.field("pressure_gradient", "Float64", snapshot.pressure_gradients);
@@ -90,7 +98,7 @@ std::string encode_vtp(const Snapshot& snapshot, double radius, const std::vecto
       std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", snapshot.time, snapshot.step, gas, n,
       n);
   xml += "      <Points>\n";
-  xml += data.array("position", "Float64", 3,
+  xml += data.array("Points", "Float64", 3,
                     flat(snapshot, chosen, [](const Particle& p) -> const Triple& { return p.position; }));
   xml += "      </Points>\n      <PointData Vectors=\"velocity\">\n";
   xml += data.array("velocity", "Float64", 3,
@@ -103,18 +111,17 @@ std::string encode_vtp(const Snapshot& snapshot, double radius, const std::vecto
   xml += "      </PointData>\n      <Verts>\n";
   xml += data.array("connectivity", "Int64", 1, connectivity);
   xml += data.array("offsets", "Int64", 1, offsets);
-  xml += "      </Verts>\n    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_";
-  return xml + data.bytes() + "\n  </AppendedData>\n</VTKFile>\n";
+  return xml + "      </Verts>\n    </Piece>\n  </PolyData>\n" + data.appended() + "</VTKFile>\n";
 }
 
-FrameWriter::FrameWriter(std::filesystem::path folder, double radius, std::vector<WrittenFrame> written)
-    : folder_(std::move(folder)), radius_(radius), written_(std::move(written)), flushed_(count()) {
+FrameWriter::FrameWriter(std::filesystem::path folder, double radius, VtpData data, std::vector<WrittenFrame> written)
+    : folder_(std::move(folder)), radius_(radius), data_(data), written_(std::move(written)), flushed_(count()) {
   if (count() > 0) list();  // later ones may be in the list that is there
 }
 
 void FrameWriter::write(const Snapshot& snapshot) {
   if (written_.empty()) make_folder(folder_ / "frames");
-  const std::string frame = encode_vtp(snapshot, radius_);
+  const std::string frame = encode_vtp(snapshot, radius_, data_);
   write_file(frame_path(folder_, count()), frame, Durability::fast);
   RunningHash hash;
   hash.add(frame);

@@ -1,8 +1,9 @@
-// Frames for ParaView: one VTP file each (VTK XML PolyData) and frames.pvd, which gives their times. (OVITO reads VTP
-// only with the data inside the XML elements: for OVITO there is dump.hpp.)
+// Frames for ParaView or OVITO: one VTP file each (VTK XML PolyData) and frames.pvd, which gives their times.
 //
 // VTK writes this format too, but as a dependency it is a hundred times larger than this program; what is needed here
-// is a short XML header and the arrays as raw appended binary data, each preceded by its size in bytes as UInt64.
+// is a short XML header and the arrays: as raw appended binary data, each preceded by its size in bytes as UInt64, or
+// as text in the XML elements, in as many digits as give the same bits back. OVITO refuses appended data
+// (ParaViewVTPParticleImporter), and wants the array of positions to be called Points, as VTK's own writer does.
 // Points in m, velocity in m/s, angular_velocity in rad/s, radius in m, contacts (number per particle), id (input
 // order); one vertex cell per particle, so that ParaView shows the points without a filter. Positions and motion in
 // double precision. The time, the step and, with gas, the pressure gradient of each slice (Pa/m) are field data.
@@ -17,9 +18,11 @@
 
 namespace fixdem::program {
 
-std::string encode_vtp(const Snapshot&, double radius);
+enum class VtpData { appended, text };
+
+std::string encode_vtp(const Snapshot&, double radius, VtpData = VtpData::appended);
 /// Of the chosen particles only, which are numbers in input order.
-std::string encode_vtp(const Snapshot&, double radius, const std::vector<int>& chosen);
+std::string encode_vtp(const Snapshot&, double radius, VtpData, const std::vector<int>& chosen);
 
 /// A frame that has been written.
 struct WrittenFrame {
@@ -35,7 +38,7 @@ struct WrittenFrame {
 class FrameWriter {
  public:
   /// Begins with those that are there already.
-  FrameWriter(std::filesystem::path folder, double radius, std::vector<WrittenFrame> written = {});
+  FrameWriter(std::filesystem::path folder, double radius, VtpData, std::vector<WrittenFrame> written = {});
   void write(const Snapshot&);
   int count() const { return static_cast<int>(written_.size()); }
   const std::vector<WrittenFrame>& written() const { return written_; }
@@ -47,6 +50,7 @@ class FrameWriter {
 
   std::filesystem::path folder_;
   double radius_;
+  VtpData data_;
   std::vector<WrittenFrame> written_;
   int flushed_;
 };

@@ -29,10 +29,12 @@ void TimeLoop::write_stopped_state(const Status& status) {
   if (!state_is_good_) return;
   write_checkpoint();
   if (status.ok() && !step_is_too_large_) return;
+  // Always appended: as text, VTK could not read values that are not finite.
   const Snapshot snapshot = this->snapshot();
   const int particle = status.ok() ? watch_.particle() : status.particle;
   write_file(options_.out / "fault.vtp",
-             encode_vtp(snapshot, facts_.radius(), neighbourhood(facts_, snapshot, particle)), Durability::fast);
+             encode_vtp(snapshot, facts_.radius(), VtpData::appended, neighbourhood(facts_, snapshot, particle)),
+             Durability::fast);
   write_state(options_.out / "stopped.fixdem", stored_state(facts_, snapshot, false, options_.duration));
 }
 
