@@ -1,230 +1,114 @@
 // The contact loop: force rows of the near pairs or near walls of one range, batch by batch.
 //
-// Three stages, handed on through a small ring in the first-level cache: separation and its root; normal, overlap and
-// root of the overlap; then velocities and the law. A step of the loop does the last stage of W contacts, the second of
-// the next W and the first of those after them. The stages do not wait for each other, so the roots and the quotient,
-// each some 20 cycles long, pass while the law is computed. Measured on Zen 3, million particle-steps/s in a settled
-// bed: both geometry stages of eight batches before the law of these 41, all stages of a batch in one step 41, this 47.
+// A contact goes through stages (contact_stages.hpp), handed on in the first-level cache. The roots and the quotient of
+// one W contacts, each some 20 cycles long, must pass while others are computed; how depends on the registers.
 //
-// What differs between pairs and walls is a `Side` (pair_contacts.hpp, wall_contacts.hpp): it knows the separation of a
-// contact, its normal and overlap, and the relative motion.
+// Registers of 32 bytes or less: three stages interleaved. A step of the loop does the law of W contacts, the geometry of
+// the next W and the separation of those after them. Measured on Zen 3 with AVX2, million particle-steps/s in a settled
+// bed: geometry of eight batches before the law of these 41, all stages of a batch in one step 41, this 47.
+//
+// Registers of 64 bytes, twice as many: the geometry of up to 32 batches, then their law, in which the motion of the
+// next W contacts is loaded and transposed ahead of the law of these. Measured on Zen 5 with AVX-512: interleaved 106,
+// groups of 8 without motion ahead 106, groups of 8 112, this 115.
 //
 // A row is written for every near contact, zero where nothing touches. Here all lanes are computed, which suits a bed;
 // sparse_contacts.hpp serves ranges in which most listed contacts do not touch.
 #pragma once
 
-#include "booked_energy.hpp"
-#include "impulse_law.hpp"
+#include "contact_stages.hpp"
 
 namespace fixdem {
 
-/// What a side knows of W contacts before any root: `measure` is the square of a distance, or a difference of squares.
-template <class V>
-struct Separation {
-  Vec3<V> way;
-  V measure;
-};
-
-/// Separation of W contacts in floats from parts computed in double: part(width, first lane).
-template <int W, class Part>
-FIXDEM_INLINE Separation<Lanes<W, float>> narrowed(Part&& part) {
-  if constexpr (W == 1) {
-    const Separation<double> s = part(std::integral_constant<int, 1>{}, 0);
-    return {{narrow(s.way.x), narrow(s.way.y), narrow(s.way.z)}, narrow(s.measure)};
-  } else {
-    const std::integral_constant<int, W / 2> width;
-    const Separation<Lanes<W / 2>> a = part(width, 0), b = part(width, W / 2);
-    return {{narrow(a.way.x, b.way.x), narrow(a.way.y, b.way.y), narrow(a.way.z, b.way.z)},
-            narrow(a.measure, b.measure)};
-  }
-}
-
-/// What the stages hand on, for W contacts: `way` and `measure`, then the normal and the springs.
-template <class Case, int W>
-struct ContactGeometry {
-  alignas(64) Real<Case> way[3][W];
-  alignas(64) Real<Case> measure[W], root[W];
-  alignas(64) Real<Case> normal[3][W];
-  alignas(64) Real<Case> repulsion[W],
-      overlap_root[W];  ///< with `impulse` the overlap, negative for a gap, and its root
-};
-
 namespace detail {
 
-/// First stage of W contacts: separation and its root.
-template <class Case, int W, class Side>
-FIXDEM_INLINE void store_separation(const Side& side, const Separation<Lanes<W, Real<Case>>>& separation,
-                                    ContactGeometry<Case, W>& g) {
-  store(g.way[0], separation.way.x);
-  store(g.way[1], separation.way.y);
-  if constexpr (!Side::is_flat) store(g.way[2], separation.way.z);
-  if constexpr (Side::needs_measure) store(g.measure, separation.measure);
-  if constexpr (Side::has_root) store(g.root, side.root(separation.measure));
-}
-
-/// Second stage of W contacts: normal, overlap and the first of its springs; eqs. (16), (17), (21), (22), (26).
-template <class Case, int W, class Side>
-FIXDEM_INLINE void store_geometry(const Side& side, ContactGeometry<Case, W>& g, Lanes<W, Real<Case>>& greatest) {
-  using V = Lanes<W, Real<Case>>;
-  Separation<V> s{{load<V>(g.way[0]), load<V>(g.way[1]), V{}}, V{}};
-  if constexpr (!Side::is_flat) s.way.z = load<V>(g.way[2]);
-  if constexpr (Side::needs_measure) s.measure = load<V>(g.measure);
-  V root{};
-  if constexpr (Side::has_root) root = load<V>(g.root);
-  Vec3<V> n;
-  const V gap_or_overlap = side.resolve(s, root, n), overlap = max(gap_or_overlap, V{});
-  store(g.normal[0], n.x);
-  store(g.normal[1], n.y);
-  if constexpr (!Side::is_flat) store(g.normal[2], n.z);
-  if constexpr (takes_impulses<Case>) {
-    store(g.repulsion, gap_or_overlap);
-    if constexpr (Derived<Case>::is_hertz) store(g.overlap_root, sqrt(overlap));
-  } else {
-    const SpringBase<V> base = spring_base<typename Side::Law, Case>(overlap);
-    store(g.repulsion, base.repulsion);
-    store(g.overlap_root, base.root);
-  }
-  greatest = max(overlap, greatest);
-}
-
-/// History and rows of W contacts that lie side by side in a batch.
-template <class Case>
-struct InPlace {
-  Real<Case> (*history)[Capacity<Case>::batch];
-  int lane;
-  Real<Case>* rows;
-  template <class V>
-  FIXDEM_INLINE V kept(int c) const {
-    return load<V>(history[c] + lane);
-  }
-  template <class V>
-  FIXDEM_INLINE void keep_in_mind(int c, V value) const {
-    store(history[c] + lane, value);
-  }
-  FIXDEM_INLINE Real<Case>* first_row() const { return rows; }
-  FIXDEM_INLINE void rows_are_written() const {}
-};
-
-/// History of W contacts, and its return; places as ContactLaw says.
-template <class Law, class Case, class V, class Place>
-FIXDEM_INLINE History<V> remembered(const Place& place) {
-  History<V> h{};
-  const auto vector = [&](int c) FIXDEM_INLINE_LAMBDA {
-    return Vec3<V>{place.template kept<V>(c), place.template kept<V>(c + 1), place.template kept<V>(c + 2)};
-  };
-  if constexpr (Law::history_vectors > 0) h.spring = vector(0);
-  if constexpr (Law::history_vectors > 1) h.last_velocity = vector(3);
-  if constexpr (takes_impulses<Case>) h.state_function = place.template kept<V>(Law::state_function_place);
-  if constexpr (Law::limit_place > Law::stiffness_place)
-    h.last_tangential_stiffness = place.template kept<V>(Law::stiffness_place);
-  if constexpr (Law::history_size > Law::limit_place) h.last_limit = place.template kept<V>(Law::limit_place);
-  return h;
-}
-template <class Law, class Case, class Place, class V>
-FIXDEM_INLINE void remember(const Place& place, const History<V>& h) {
-  const auto vector = [&](int c, const Vec3<V>& a) FIXDEM_INLINE_LAMBDA {
-    place.keep_in_mind(c, a.x);
-    place.keep_in_mind(c + 1, a.y);
-    place.keep_in_mind(c + 2, a.z);
-  };
-  if constexpr (Law::history_vectors > 0) vector(0, h.spring);
-  if constexpr (Law::history_vectors > 1) vector(3, h.last_velocity);
-  if constexpr (takes_impulses<Case>) place.keep_in_mind(Law::state_function_place, h.state_function);
-  if constexpr (Law::limit_place > Law::stiffness_place)
-    place.keep_in_mind(Law::stiffness_place, h.last_tangential_stiffness);
-  if constexpr (Law::history_size > Law::limit_place) place.keep_in_mind(Law::limit_place, h.last_limit);
-}
-
-/// Third stage of W contacts: the law, the history and the force rows. False when some lane slides or turns and that is
-/// left to be done; then nothing has been written. `lane`: in the batch; `valid`: contacts that are none of its
-/// repeats.
-template <class Case, int W, SlidingLanes mode, class Side, class Offset, class Place>
-FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>& g, const Offset* owner,
-                                const Offset* partner, const Place& place, int lane, int valid,
-                                BookedEnergy<Case, W>& energy) {
-  using V = Lanes<W, Real<Case>>;
-  using Law = typename Side::Law;
-  constexpr bool has_friction = Derived<Case>::has_friction;
-  const Motion<V> motion = side.template motion<W>(owner, partner);
-  std::conditional_t<Side::is_flat, Vec2<V>, Vec3<V>> n{};
-  n.x = load<V>(g.normal[0]), n.y = load<V>(g.normal[1]);
-  if constexpr (!Side::is_flat) n.z = load<V>(g.normal[2]);
-
-  const V normal_velocity = dot(motion.velocity, n);
-  History<V> history = remembered<Law, Case, V>(place);
-  Vec3<V> surface_velocity = motion.velocity;
-  if constexpr (has_friction) surface_velocity = add_cross(motion.velocity, motion.spin, n);
-
-  bool is_done = false;
-  ContactForce<V> f;
-  if constexpr (takes_impulses<Case>) {
-    OverlapRoots<V> at{load<V>(g.repulsion), V{}, V{}};
-    if constexpr (Derived<Case>::is_hertz) at.root = load<V>(g.overlap_root), at.fourth = sqrt(at.root);
-    f = contact_impulse<Law, Case, mode>(at, n, surface_velocity, normal_velocity, history, is_done);
-  } else {
-    const Springs<V> k = springs<Law, Case>(SpringBase<V>{load<V>(g.repulsion), load<V>(g.overlap_root)});
-    const auto touching = k.tangential_stiffness > V{};
-    V damped_velocity = normal_velocity;
-    if constexpr (Case::integrator == Integrator::leapfrog)
-      damped_velocity = fused(splat<V>(0.5), dot(side.template kick<W>(owner, partner), n), damped_velocity);
-    f = contact_force<Law, Case, mode>(k, n, surface_velocity, normal_velocity, damped_velocity, touching, history,
-                                       is_done);
-  }
-  if (!is_done) return false;
-
-  remember<Law, Case>(place, history);
-  using RowStore = RowLanes<W, Real<Case>>;
-  if constexpr (has_friction) {
-    RowStore::store_rows(place.first_row(), f.force, cross(n, f.force));  // eq. (14); scaled by r in motion.hpp
-  } else {
-    RowStore::store_rows(place.first_row(), f.force);
-  }
-  place.rows_are_written();
-  energy.book(lane, valid, f);
-  return true;
-}
-
-/// The same with all lanes computed, out of the way of the short loop.
-template <class Case, int W, class Side, class Offset>
-[[gnu::noinline]] void sliding_contact_rows(const Side& side, const ContactGeometry<Case, W>& g, const Offset* owner,
-                                            const Offset* partner, const InPlace<Case>& place, int lane, int valid,
-                                            BookedEnergy<Case, W>& energy) {
-  contact_rows<Case, W, SlidingLanes::computed>(side, g, owner, partner, place, lane, valid, energy);
-}
-
-/// The three stages of `count` contacts, interleaved. `place(k)`: of the W contacts from number k on. Returns how many
-/// times W contacts held one that slid or turned.
+/// The stages of `count` contacts, three of them interleaved. `place(k)`: of the W contacts from number k on. Returns
+/// how many times W contacts held one that slid or turned.
 template <class Case, int W, SlidingLanes mode, class Side, class Offset, class PlaceOf>
-FIXDEM_INLINE int contact_pipeline(const Side& side, const Offset* owner, const Offset* partner, int count,
-                                   PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
-                                   BookedEnergy<Case, W>& energy) {
+FIXDEM_INLINE int interleaved_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
+                                       PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
+                                       BookedEnergy<Case, W>& energy) {
+  using V = Lanes<W, Real<Case>>;
   constexpr int lanes = Capacity<Case>::batch;
-  if (count == 0) return 0;
-  ContactGeometry<Case, W> ring[4];
+  struct Stored {
+    StoredSeparation<Case, W> separation;
+    ContactGeometry<Case, W> geometry;
+  };
+  Stored ring[4];
   const int last = (count - 1) / W * W;
-  const auto separate = [&](int k, ContactGeometry<Case, W>& g) FIXDEM_INLINE_LAMBDA {
+  const auto separate = [&](int k, Stored& to) FIXDEM_INLINE_LAMBDA {
     k = k < last ? k : last;
-    store_separation<Case, W>(side, side.template separation<W>(owner + k, partner + k), g);
+    store_separation<Case, W>(side, side.template separation<W>(owner + k, partner + k), to.separation);
+  };
+  const auto resolve = [&](Stored& s) FIXDEM_INLINE_LAMBDA {
+    V root{};
+    if constexpr (Side::has_root) root = load<V>(s.separation.root);
+    store_geometry<Case, W>(side, stored_separation<Case, W, Side>(s.separation), root, s.geometry, overlap.part[0]);
   };
   separate(0, ring[0]);
   separate(W, ring[1]);
-  store_geometry<Case, W>(side, ring[0], overlap.part[0]);
+  resolve(ring[0]);
   int slid = 0;
-  for (int batch = 0; batch < count; batch += lanes)
-    for (int lane = 0; lane < lanes && batch + lane < count; lane += W) {
-      const int k = batch + lane;
-      const auto at = [&](int ahead) FIXDEM_INLINE_LAMBDA -> auto& {
-        return ring[static_cast<unsigned>(k + ahead * W) / W % 4];
-      };
-      store_geometry<Case, W>(side, at(1), overlap.part[0]);
-      separate(k + 2 * W, at(2));
+  for (int k = 0; k < count; k += W) {
+    const auto at = [&](int ahead) FIXDEM_INLINE_LAMBDA -> Stored& {
+      return ring[static_cast<unsigned>(k + ahead * W) / W % 4];
+    };
+    resolve(at(1));
+    separate(k + 2 * W, at(2));
+    const ContactGeometry<Case, W>& g = at(0).geometry;
+    const auto place = place_of(k);
+    const int lane = k % lanes;
+    if (contact_rows<Case, W, mode>(side, g, owner + k, partner + k, side.template motion<W>(owner + k, partner + k),
+                                    place, lane, count - k, energy))
+      continue;
+    ++slid;
+    if constexpr (mode == SlidingLanes::left)
+      sliding_contact_rows<Case, W>(side, g, owner + k, partner + k, place, lane, count - k, energy);
+  }
+  return slid;
+}
+
+/// The same in groups: geometry of all, then the law of all.
+template <class Case, int W, SlidingLanes mode, class Side, class Offset, class PlaceOf>
+FIXDEM_INLINE int grouped_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
+                                   PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
+                                   BookedEnergy<Case, W>& energy) {
+  constexpr int lanes = Capacity<Case>::batch, group = 32 * W;
+  ContactGeometry<Case, W> geometry[group / W];
+  int slid = 0;
+  for (int begin = 0; begin < count; begin += group) {
+    const int end = begin + group < count ? begin + group : count;
+    ContactGeometry<Case, W>* g = geometry;
+    for (int k = begin; k < end; k += W, ++g) {
+      const auto s = side.template separation<W>(owner + k, partner + k);
+      store_geometry<Case, W>(side, s, root_of(side, s), *g, overlap.part[0]);
+    }
+    g = geometry;
+    auto next = side.template motion<W>(owner + begin, partner + begin);
+    for (int k = begin; k < end; k += W, ++g) {
+      const auto motion = next;
+      const int ahead = k + W < end ? k + W : k;
+      next = side.template motion<W>(owner + ahead, partner + ahead);
       const auto place = place_of(k);
-      if (contact_rows<Case, W, mode>(side, at(0), owner + k, partner + k, place, lane, count - k, energy)) continue;
+      const int lane = k % lanes;
+      if (contact_rows<Case, W, mode>(side, *g, owner + k, partner + k, motion, place, lane, count - k, energy)) continue;
       ++slid;
       if constexpr (mode == SlidingLanes::left)
-        sliding_contact_rows<Case, W>(side, at(0), owner + k, partner + k, place, lane, count - k, energy);
+        sliding_contact_rows<Case, W>(side, *g, owner + k, partner + k, place, lane, count - k, energy);
     }
+  }
   return slid;
+}
+
+/// The way that suits the registers.
+template <class Case, int W, SlidingLanes mode, class Side, class Offset, class PlaceOf>
+FIXDEM_INLINE int all_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
+                               PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
+                               BookedEnergy<Case, W>& energy) {
+  if (count == 0) return 0;
+  if constexpr (W * sizeof(Real<Case>) == 64)
+    return grouped_contacts<Case, W, mode>(side, owner, partner, count, place_of, overlap, energy);
+  else
+    return interleaved_contacts<Case, W, mode>(side, owner, partner, count, place_of, overlap, energy);
 }
 
 /// History block of a batch, or nothing where the case keeps none.
@@ -256,7 +140,7 @@ void dense_contacts(const Side side, Batches& batches, int first, int count, Rea
   Partials<W, lanes, Real<Case>> overlap(watch.overlap);
   BookedEnergy<Case, W> energy(watch);
   auto* history = detail::history_of<Case, size>(batches, first);
-  detail::contact_pipeline<Case, W, SlidingLanes::left>(
+  detail::all_contacts<Case, W, SlidingLanes::left>(
       side, batches.owner[first], detail::partners_of(batches, first), count,
       [&](int k) FIXDEM_INLINE_LAMBDA {
         return detail::InPlace<Case>{history + k / lanes * size, k % lanes, rows + k * width};

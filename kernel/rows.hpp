@@ -22,9 +22,10 @@ using RowOffset = std::conditional_t<(rows <= 8192), std::uint16_t, std::uint32_
 
 /// The row of an array with rows of 4 or 8 doubles or floats.
 template <int Width, class T, class Offset>
-FIXDEM_INLINE const T* row_at(const T* rows, Offset offset) {
+FIXDEM_INLINE T* row_at(T* rows, Offset offset) {
   static_assert(Width == 4 || Width == 8);
-  return reinterpret_cast<const T*>(reinterpret_cast<const char*>(rows) + Width * sizeof(T) / 8 * std::size_t{offset});
+  using Byte = std::conditional_t<std::is_const_v<T>, const char, char>;
+  return reinterpret_cast<T*>(reinterpret_cast<Byte*>(rows) + Width * sizeof(T) / 8 * std::size_t{offset});
 }
 
 /// Vectors of the rows `offset` of an array with rows of 4.

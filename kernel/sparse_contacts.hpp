@@ -92,7 +92,7 @@ void sparse_contacts(const Side side, Batches& batches, int first, int count, Re
   BookedEnergy<Case, W> energy(watch);
   alignas(64) Real<Case> written[W * width];
   auto* history = detail::history_of<Case, size>(batches, first);
-  detail::contact_pipeline<Case, W, SlidingLanes::computed>(
+  detail::all_contacts<Case, W, SlidingLanes::computed>(
       side, list.owner, list.partner, list.count,
       [&](int k) FIXDEM_INLINE_LAMBDA {
         return detail::Scattered<Case, W, size>{history, rows, written, list.number + k};

@@ -1,0 +1,207 @@
+// The stages of a contact: its separation, its geometry, and the law with its history and force rows.
+//
+// What differs between pairs and walls is a `Side` (pair_contacts.hpp, wall_contacts.hpp): it knows the separation of a
+// contact, its normal and overlap, and the relative motion. The order in which the contacts of a range go through the
+// stages is contact_loop.hpp's.
+#pragma once
+
+#include "booked_energy.hpp"
+#include "impulse_law.hpp"
+
+namespace fixdem {
+
+/// What a side knows of W contacts before any root: `measure` is the square of a distance, or a difference of squares.
+template <class V>
+struct Separation {
+  Vec3<V> way;
+  V measure;
+};
+
+/// Separation of W contacts in floats from parts computed in double: part(width, first lane).
+template <int W, class Part>
+FIXDEM_INLINE Separation<Lanes<W, float>> narrowed(Part&& part) {
+  if constexpr (W == 1) {
+    const Separation<double> s = part(std::integral_constant<int, 1>{}, 0);
+    return {{narrow(s.way.x), narrow(s.way.y), narrow(s.way.z)}, narrow(s.measure)};
+  } else {
+    const std::integral_constant<int, W / 2> width;
+    const Separation<Lanes<W / 2>> a = part(width, 0), b = part(width, W / 2);
+    return {{narrow(a.way.x, b.way.x), narrow(a.way.y, b.way.y), narrow(a.way.z, b.way.z)},
+            narrow(a.measure, b.measure)};
+  }
+}
+
+/// Separation of W contacts and its root, as the first stage leaves them.
+template <class Case, int W>
+struct StoredSeparation {
+  alignas(64) Real<Case> way[3][W];
+  alignas(64) Real<Case> measure[W], root[W];
+};
+
+/// What the law takes up of W contacts.
+template <class Case, int W>
+struct ContactGeometry {
+  alignas(64) Real<Case> normal[3][W];
+  alignas(64) Real<Case> repulsion[W],
+      overlap_root[W];  ///< with `impulse` the overlap, negative for a gap, and its root
+};
+
+namespace detail {
+
+template <class Side, class V>
+FIXDEM_INLINE V root_of(const Side& side, const Separation<V>& s) {
+  if constexpr (Side::has_root)
+    return side.root(s.measure);
+  else
+    return V{};
+}
+
+template <class Case, int W, class Side>
+FIXDEM_INLINE void store_separation(const Side& side, const Separation<Lanes<W, Real<Case>>>& s,
+                                    StoredSeparation<Case, W>& to) {
+  store(to.way[0], s.way.x);
+  store(to.way[1], s.way.y);
+  if constexpr (!Side::is_flat) store(to.way[2], s.way.z);
+  if constexpr (Side::needs_measure) store(to.measure, s.measure);
+  if constexpr (Side::has_root) store(to.root, root_of(side, s));
+}
+
+template <class Case, int W, class Side>
+FIXDEM_INLINE Separation<Lanes<W, Real<Case>>> stored_separation(const StoredSeparation<Case, W>& from) {
+  using V = Lanes<W, Real<Case>>;
+  Separation<V> s{{load<V>(from.way[0]), load<V>(from.way[1]), V{}}, V{}};
+  if constexpr (!Side::is_flat) s.way.z = load<V>(from.way[2]);
+  if constexpr (Side::needs_measure) s.measure = load<V>(from.measure);
+  return s;
+}
+
+/// Normal, overlap and the first of its springs; eqs. (16), (17), (21), (22), (26).
+template <class Case, int W, class Side>
+FIXDEM_INLINE void store_geometry(const Side& side, const Separation<Lanes<W, Real<Case>>>& s,
+                                  Lanes<W, Real<Case>> root, ContactGeometry<Case, W>& g,
+                                  Lanes<W, Real<Case>>& greatest) {
+  using V = Lanes<W, Real<Case>>;
+  Vec3<V> n;
+  const V gap_or_overlap = side.resolve(s, root, n), overlap = max(gap_or_overlap, V{});
+  store(g.normal[0], n.x);
+  store(g.normal[1], n.y);
+  if constexpr (!Side::is_flat) store(g.normal[2], n.z);
+  if constexpr (takes_impulses<Case>) {
+    store(g.repulsion, gap_or_overlap);
+    if constexpr (Derived<Case>::is_hertz) store(g.overlap_root, sqrt(overlap));
+  } else {
+    const SpringBase<V> base = spring_base<typename Side::Law, Case>(overlap);
+    store(g.repulsion, base.repulsion);
+    store(g.overlap_root, base.root);
+  }
+  greatest = max(overlap, greatest);
+}
+
+/// History and rows of W contacts that lie side by side in a batch.
+template <class Case>
+struct InPlace {
+  Real<Case> (*history)[Capacity<Case>::batch];
+  int lane;
+  Real<Case>* rows;
+  template <class V>
+  FIXDEM_INLINE V kept(int c) const {
+    return load<V>(history[c] + lane);
+  }
+  template <class V>
+  FIXDEM_INLINE void keep_in_mind(int c, V value) const {
+    store(history[c] + lane, value);
+  }
+  FIXDEM_INLINE Real<Case>* first_row() const { return rows; }
+  FIXDEM_INLINE void rows_are_written() const {}
+};
+
+/// History of W contacts, and its return; places as ContactLaw says.
+template <class Law, class Case, class V, class Place>
+FIXDEM_INLINE History<V> remembered(const Place& place) {
+  History<V> h{};
+  const auto vector = [&](int c) FIXDEM_INLINE_LAMBDA {
+    return Vec3<V>{place.template kept<V>(c), place.template kept<V>(c + 1), place.template kept<V>(c + 2)};
+  };
+  if constexpr (Law::history_vectors > 0) h.spring = vector(0);
+  if constexpr (Law::history_vectors > 1) h.last_velocity = vector(3);
+  if constexpr (takes_impulses<Case>) h.state_function = place.template kept<V>(Law::state_function_place);
+  if constexpr (Law::limit_place > Law::stiffness_place)
+    h.last_tangential_stiffness = place.template kept<V>(Law::stiffness_place);
+  if constexpr (Law::history_size > Law::limit_place) h.last_limit = place.template kept<V>(Law::limit_place);
+  return h;
+}
+template <class Law, class Case, class Place, class V>
+FIXDEM_INLINE void remember(const Place& place, const History<V>& h) {
+  const auto vector = [&](int c, const Vec3<V>& a) FIXDEM_INLINE_LAMBDA {
+    place.keep_in_mind(c, a.x);
+    place.keep_in_mind(c + 1, a.y);
+    place.keep_in_mind(c + 2, a.z);
+  };
+  if constexpr (Law::history_vectors > 0) vector(0, h.spring);
+  if constexpr (Law::history_vectors > 1) vector(3, h.last_velocity);
+  if constexpr (takes_impulses<Case>) place.keep_in_mind(Law::state_function_place, h.state_function);
+  if constexpr (Law::limit_place > Law::stiffness_place)
+    place.keep_in_mind(Law::stiffness_place, h.last_tangential_stiffness);
+  if constexpr (Law::history_size > Law::limit_place) place.keep_in_mind(Law::limit_place, h.last_limit);
+}
+
+/// The law of W contacts, their history and force rows. `motion`: theirs. False when some lane slides or turns and that is
+/// left to be done; then nothing has been written. `lane`: in the batch; `valid`: contacts that are none of its
+/// repeats.
+template <class Case, int W, SlidingLanes mode, class Side, class Offset, class Place>
+FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>& g, const Offset* owner,
+                                const Offset* partner, const Motion<Lanes<W, Real<Case>>>& motion, const Place& place,
+                                int lane, int valid, BookedEnergy<Case, W>& energy) {
+  using V = Lanes<W, Real<Case>>;
+  using Law = typename Side::Law;
+  constexpr bool has_friction = Derived<Case>::has_friction;
+  std::conditional_t<Side::is_flat, Vec2<V>, Vec3<V>> n{};
+  n.x = load<V>(g.normal[0]), n.y = load<V>(g.normal[1]);
+  if constexpr (!Side::is_flat) n.z = load<V>(g.normal[2]);
+
+  const V normal_velocity = dot(motion.velocity, n);
+  History<V> history = remembered<Law, Case, V>(place);
+  Vec3<V> surface_velocity = motion.velocity;
+  if constexpr (has_friction) surface_velocity = add_cross(motion.velocity, motion.spin, n);
+
+  bool is_done = false;
+  ContactForce<V> f;
+  if constexpr (takes_impulses<Case>) {
+    OverlapRoots<V> at{load<V>(g.repulsion), V{}, V{}};
+    if constexpr (Derived<Case>::is_hertz) at.root = load<V>(g.overlap_root), at.fourth = sqrt(at.root);
+    f = contact_impulse<Law, Case, mode>(at, n, surface_velocity, normal_velocity, history, is_done);
+  } else {
+    const Springs<V> k = springs<Law, Case>(SpringBase<V>{load<V>(g.repulsion), load<V>(g.overlap_root)});
+    const auto touching = k.tangential_stiffness > V{};
+    V damped_velocity = normal_velocity;
+    if constexpr (Case::integrator == Integrator::leapfrog)
+      damped_velocity = fused(splat<V>(0.5), dot(side.template kick<W>(owner, partner), n), damped_velocity);
+    f = contact_force<Law, Case, mode>(k, n, surface_velocity, normal_velocity, damped_velocity, touching, history,
+                                       is_done);
+  }
+  if (!is_done) return false;
+
+  remember<Law, Case>(place, history);
+  using RowStore = RowLanes<W, Real<Case>>;
+  if constexpr (has_friction) {
+    RowStore::store_rows(place.first_row(), f.force, cross(n, f.force));  // eq. (14); scaled by r in motion.hpp
+  } else {
+    RowStore::store_rows(place.first_row(), f.force);
+  }
+  place.rows_are_written();
+  energy.book(lane, valid, f);
+  return true;
+}
+
+/// The same with all lanes computed, out of the way of the short loop.
+template <class Case, int W, class Side, class Offset>
+[[gnu::noinline]] void sliding_contact_rows(const Side& side, const ContactGeometry<Case, W>& g, const Offset* owner,
+                                            const Offset* partner, const InPlace<Case>& place, int lane, int valid,
+                                            BookedEnergy<Case, W>& energy) {
+  contact_rows<Case, W, SlidingLanes::computed>(side, g, owner, partner, side.template motion<W>(owner, partner), place,
+                                                lane, valid, energy);
+}
+
+}  // namespace detail
+
+}  // namespace fixdem
