@@ -35,7 +35,7 @@ struct PairStage {
     for (int range = 0; range < NearList<Case>::ranges; ++range) {
       const bool wraps = range == Capacity<Case>::chunks;
       Real<Case>* rows = s.contacts.rows[0] + (wraps ? Rows<Case>::wrap_first : Rows<Case>::first(range)) * width;
-      pair_contacts<Case, W>(s.contacts.pairs, s.particles, range, rows, s.watch[range]);
+      pair_contacts<Case, W>(s.contacts.pairs, s.particles, range, s.near_list.is_still(range), rows, s.watch[range]);
     }
   }
 };
@@ -46,7 +46,7 @@ struct WallStage {
   static void call(State<Case>& s) {
     constexpr int width = Contacts<Case>::row_width;
     for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
-      wall_contacts<Case, W, PipeSurface<Case>>(s.contacts.pipe, s.particles, chunk,
+      wall_contacts<Case, W, PipeSurface<Case>>(s.contacts.pipe, s.particles, chunk, s.near_list.is_still(chunk),
                                                 s.contacts.rows[0] + first_pipe_row(s.contacts, chunk) * width,
                                                 s.watch[chunk]);
   }

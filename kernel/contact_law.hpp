@@ -186,24 +186,16 @@ inline constexpr double least_square = sizeof(Element<V>) == sizeof(double) ? 0x
 /// Square of the sine of the angle by which a contact may turn in one step before lengths are restored by a root.
 inline constexpr double greatest_turn = 1e-4;
 
-/// How a contact_force call deals with lanes that slide or turn: computes them, or leaves the whole call to be
-/// repeated.
+/// How a contact_force call deals with lanes that slide: computes them, or leaves the whole call to be repeated; then
+/// no lane may turn by an angle that counts (NearList::is_still).
 enum class SlidingLanes { computed, left };
-
-/// The spring of a contact that sticks.
-template <class V, class Mask>
-struct StuckSpring {
-  Vec3<V> spring;
-  Mask turns;  ///< lanes in which turning has shortened it, or would have
-};
 
 /// The kept vector projected on the tangent plane and grown by `gain` times the slip. Projection shortens the kept
 /// vector h by the factor sqrt(1 - q), q = (h.n)^2 / h^2; where that is more than half a unit in the last place, its
-/// inverse is made up for by a series, good to 3e-17 up to `greatest_turn`, and beyond by a root; with `left` it is
-/// not.
+/// inverse is made up for by a series, good to 3e-17 up to `greatest_turn`, and beyond by a root.
 template <class Case, SlidingLanes mode, class V, class Normal, class Mask>
-FIXDEM_INLINE StuckSpring<V, Mask> stuck_spring(const TangentialSpring<V>& s, V gain, const Vec3<V>& kept,
-                                                const Normal& n, const Vec3<V>& u, V normal_velocity, Mask touching) {
+FIXDEM_INLINE Vec3<V> stuck_spring(const TangentialSpring<V>& s, V gain, const Vec3<V>& kept, const Normal& n,
+                                   const Vec3<V>& u, V normal_velocity, Mask touching) {
   const V out_of_plane = dot(kept, n);
   Vec3<V> spring;
   if constexpr (Case::tangential == TangentialLaw::displacement) {
@@ -213,9 +205,9 @@ FIXDEM_INLINE StuckSpring<V, Mask> stuck_spring(const TangentialSpring<V>& s, V 
     spring = scale(s.ratio, subtract_scaled(kept, out_of_plane, n));
     spring = subtract_scaled(add_scaled(spring, gain, u), gain * normal_velocity, n);
   }
-  const V turn = out_of_plane * out_of_plane;
-  const Mask turns = (turn > constant<V>(turning_square<V>) * dot(spring, spring)) & touching;
   if constexpr (mode == SlidingLanes::computed) {
+    const V turn = out_of_plane * out_of_plane;
+    const Mask turns = (turn > constant<V>(turning_square<V>) * dot(spring, spring)) & touching;
     if (any(turns)) {
       const V square = dot(kept, kept);
       const V q = turn / max(square, splat<V>(least_square<V>));
@@ -226,7 +218,7 @@ FIXDEM_INLINE StuckSpring<V, Mask> stuck_spring(const TangentialSpring<V>& s, V 
       spring = add_scaled(spring, s.ratio * keep(turns, longer), subtract_scaled(kept, out_of_plane, n));
     }
   }
-  return {spring, turns};
+  return spring;
 }
 
 /// Whether the whole force, or the spring alone, is beyond Coulomb's bound.
@@ -245,7 +237,7 @@ FIXDEM_INLINE auto exceeds_friction(const Vec3<V>& force, V to_force, const Vec3
 /// Where a contact sticks, the whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since u = (u.n) n + v_s
 /// and both dampings share eta; where it slides, delta_t is where the slider starts.
 ///
-/// With `left`, a batch of which any lane slides or turns sets `is_done` to false, and nothing else of the result
+/// With `left`, a batch of which any lane slides sets `is_done` to false, and nothing else of the result
 /// counts: without that code and what it needs, the short way keeps its numbers in registers.
 template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Mask>
 FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n, const Vec3<V>& surface_velocity,
@@ -263,8 +255,7 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
     V along_normal = k.repulsion;  // what is left along n after eta u has taken its share
     if constexpr (Law::tangential_damping != Law::damping || Case::integrator != Integrator::euler)
       along_normal = fused_minus(s.damping, normal_velocity, normal_force);
-    const auto stuck = stuck_spring<Case, mode>(s, s.gain, history.spring, n, u, normal_velocity, touching);
-    Vec3<V> spring = stuck.spring;
+    Vec3<V> spring = stuck_spring<Case, mode>(s, s.gain, history.spring, n, u, normal_velocity, touching);
     Vec3<V> force = subtract_scaled(subtract_scaled(scale(-along_normal, n), s.damping, u), s.to_force, spring);
     V damping_power{}, sliding_work{};
     if constexpr (Case::energy_ledger)
@@ -273,11 +264,11 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
           fused_minus(s.damping, normal_velocity * normal_velocity, k.damping * damped_velocity * normal_velocity));
 
     // Sliding.
-    const auto slides = exceeds_friction<Case>(force, s.to_force, spring, normal_force) & touching;
+    const auto exceeds = exceeds_friction<Case>(force, s.to_force, spring, normal_force);
     [[maybe_unused]] V last_limit{};
     if constexpr (mode == SlidingLanes::left) {
-      is_done = !any(slides | stuck.turns);
-    } else if (any(slides)) {
+      is_done = !any(exceeds);
+    } else if (const auto slides = exceeds & touching; any(slides)) {
       const Vec3<V> slip = subtract_scaled(u, normal_velocity, n);
       const Tangential<V> t = tangential_force<Case>(s, spring, slip, slip, history.last_limit,
                                                      constant<V>(Case::friction) * abs(normal_force));

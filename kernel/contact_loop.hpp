@@ -3,9 +3,9 @@
 // A contact goes through stages (contact_stages.hpp), handed on in the first-level cache. The roots and the quotient of
 // one W contacts, each some 20 cycles long, must pass while others are computed; how depends on the registers.
 //
-// Registers of 32 bytes or less: three stages interleaved. A step of the loop does the law of W contacts, the geometry of
-// the next W and the separation of those after them. Measured on Zen 3 with AVX2, million particle-steps/s in a settled
-// bed: geometry of eight batches before the law of these 41, all stages of a batch in one step 41, this 47.
+// Registers of 32 bytes or less: three stages interleaved. A step of the loop does the law of W contacts, the geometry
+// of the next W and the separation of those after them. Measured on Zen 3 with AVX2, million particle-steps/s in a
+// settled bed: geometry of eight batches before the law of these 41, all stages of a batch in one step 41, this 47.
 //
 // Registers of 64 bytes, twice as many: the geometry of up to 32 batches, then their law, in which the motion of the
 // next W contacts is loaded and transposed ahead of the law of these. Measured on Zen 5 with AVX-512: interleaved 106,
@@ -22,7 +22,7 @@ namespace fixdem {
 namespace detail {
 
 /// The stages of `count` contacts, three of them interleaved. `place(k)`: of the W contacts from number k on. Returns
-/// how many times W contacts held one that slid or turned.
+/// how many times W contacts held one that slid.
 template <class Case, int W, SlidingLanes mode, class Side, class Offset, class PlaceOf>
 FIXDEM_INLINE int interleaved_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
                                        PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
@@ -49,9 +49,8 @@ FIXDEM_INLINE int interleaved_contacts(const Side& side, const Offset* owner, co
   resolve(ring[0]);
   int slid = 0;
   for (int k = 0; k < count; k += W) {
-    const auto at = [&](int ahead) FIXDEM_INLINE_LAMBDA -> Stored& {
-      return ring[static_cast<unsigned>(k + ahead * W) / W % 4];
-    };
+    const auto at = [&](int ahead)
+                        FIXDEM_INLINE_LAMBDA -> Stored& { return ring[static_cast<unsigned>(k + ahead * W) / W % 4]; };
     resolve(at(1));
     separate(k + 2 * W, at(2));
     const ContactGeometry<Case, W>& g = at(0).geometry;
@@ -90,7 +89,8 @@ FIXDEM_INLINE int grouped_contacts(const Side& side, const Offset* owner, const 
       next = side.template motion<W>(owner + ahead, partner + ahead);
       const auto place = place_of(k);
       const int lane = k % lanes;
-      if (contact_rows<Case, W, mode>(side, *g, owner + k, partner + k, motion, place, lane, count - k, energy)) continue;
+      if (contact_rows<Case, W, mode>(side, *g, owner + k, partner + k, motion, place, lane, count - k, energy))
+        continue;
       ++slid;
       if constexpr (mode == SlidingLanes::left)
         sliding_contact_rows<Case, W>(side, *g, owner + k, partner + k, place, lane, count - k, energy);
@@ -132,20 +132,26 @@ FIXDEM_INLINE const auto* partners_of(const Batches& batches, int batch) {
 
 }  // namespace detail
 
-/// Force rows of `count` contacts in the batches from `first` on, written from `rows` on; all lanes are computed.
+/// Force rows of `count` contacts in the batches from `first` on, written from `rows` on; all lanes are computed. Where
+/// the particles are still, hardly any batch has a lane that slides, and none turns (near_list.hpp): the short law of
+/// such contacts is worth a loop of its own. Million particle-steps/s in a bed at rest, AVX-512: 116, with the law of
+/// all contacts ALLCOMPUTED.
 template <class Case, int W, class Side, class Batches>
-void dense_contacts(const Side side, Batches& batches, int first, int count, Real<Case>* rows, Watch<Case>& watch) {
+void dense_contacts(const Side side, Batches& batches, int first, int count, bool are_still, Real<Case>* rows,
+                    Watch<Case>& watch) {
   constexpr int width = Particles<Case>::motion_width, lanes = Capacity<Case>::batch;
   constexpr int size = Side::Law::history_size;
   Partials<W, lanes, Real<Case>> overlap(watch.overlap);
   BookedEnergy<Case, W> energy(watch);
   auto* history = detail::history_of<Case, size>(batches, first);
-  detail::all_contacts<Case, W, SlidingLanes::left>(
-      side, batches.owner[first], detail::partners_of(batches, first), count,
-      [&](int k) FIXDEM_INLINE_LAMBDA {
-        return detail::InPlace<Case>{history + k / lanes * size, k % lanes, rows + k * width};
-      },
-      overlap, energy);
+  const auto place = [&](int k) FIXDEM_INLINE_LAMBDA {
+    return detail::InPlace<Case>{history + k / lanes * size, k % lanes, rows + k * width};
+  };
+  const auto *owner = batches.owner[first], *partner = detail::partners_of(batches, first);
+  if (are_still || !Derived<Case>::has_friction)
+    detail::all_contacts<Case, W, SlidingLanes::left>(side, owner, partner, count, place, overlap, energy);
+  else if constexpr (Derived<Case>::has_friction)
+    detail::all_contacts<Case, W, SlidingLanes::computed>(side, owner, partner, count, place, overlap, energy);
   overlap.put_back(watch.overlap);
   energy.put_back(watch);
 }

@@ -145,7 +145,7 @@ FIXDEM_INLINE void remember(const Place& place, const History<V>& h) {
   if constexpr (Law::history_size > Law::limit_place) place.keep_in_mind(Law::limit_place, h.last_limit);
 }
 
-/// The law of W contacts, their history and force rows. `motion`: theirs. False when some lane slides or turns and that is
+/// The law of W contacts, their history and force rows. `motion`: theirs. False when some lane slides and that is
 /// left to be done; then nothing has been written. `lane`: in the batch; `valid`: contacts that are none of its
 /// repeats.
 template <class Case, int W, SlidingLanes mode, class Side, class Offset, class Place>

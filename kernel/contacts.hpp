@@ -130,8 +130,9 @@ struct Contacts {
 
   /// Rows a particle can own: its near pairs, the pipe wall and an end wall.
   static constexpr int max_slots = Cap::neighbours + (Case::has_wall ? 1 : 0) + (D::has_ends ? 1 : 0);
-  /// Slot entries: particle, k own rows, k incoming rows. Bucket k of a chunk has `bucket[chunk][k]` particles.
-  typename Rows<Case>::Offset slots[Cap::chunks][Cap::chunk_size * (2 * max_slots + 1)];
+  /// Slot entries: particle, k own rows, k incoming rows; read four numbers at a time, beyond the last too. Bucket k of
+  /// a chunk has `bucket[chunk][k]` particles.
+  typename Rows<Case>::Offset slots[Cap::chunks][Cap::chunk_size * (2 * max_slots + 1) + 3];
   int bucket[Cap::chunks][max_slots + 1];
   bool slots_are_stale[Cap::chunks];     ///< a range that the chunk sums has been listed anew
   int near_count[Case::particle_count];  ///< near pairs of each particle

@@ -29,7 +29,7 @@ class Simulation {
 
   /// Sorts, checks and lists; clears contact histories, clocks and ledgers. A fault names what cannot start.
   Status start() {
-    s_.step = 0;
+    s_.step = s_.histories_given_at = 0;
     s_.status = {};
     for (auto& watch : s_.watch) watch = {};
     s_.near_list.most_neighbours = s_.near_list.most_chunk_pairs = s_.near_list.most_wrap_pairs = 0;
@@ -66,6 +66,7 @@ class Simulation {
   /// the start; otherwise that of the last force before it.
   void restore_history(int owner, int partner, const double (&history)[3]) {
     if constexpr (D::has_friction) {
+      s_.histories_given_at = s_.step;
       constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::mass;
       const auto set = [&](auto& batches, int batch, int lane, double sign) {
         for (int c = 0; c < 3; ++c)

@@ -138,9 +138,8 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
                             fused(half, u.z - last.z, u.z)};  // surface velocity in the middle of the step
     const V middle_normal = dot(middle, n);
 
-    const auto stuck =
+    Vec3<V> spring =
         stuck_spring<Case, mode>(s, s.gain * p.share_of_step, history.spring, n, u, normal_velocity, pressed);
-    Vec3<V> spring = stuck.spring;
     Vec3<V> force = subtract_scaled(
         subtract_scaled(scale(fused(s.damping, middle_normal, -p.total), n), s.damping, middle), s.to_force, spring);
     V damping_power{}, sliding_work{};
@@ -150,7 +149,7 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
     const auto slides = exceeds_friction<Case>(force, s.to_force, spring, p.total) & touching;
     [[maybe_unused]] V last_limit{};
     if constexpr (mode == SlidingLanes::left) {
-      is_done = is_done & !any(slides | stuck.turns);
+      is_done = is_done & !any(slides);
     } else if (any(slides)) {
       const Vec3<V> slip = scale(p.share_of_step, subtract_scaled(u, normal_velocity, n));
       const Tangential<V> t = tangential_force<Case>(s, spring, slip, subtract_scaled(middle, middle_normal, n),

@@ -77,13 +77,16 @@ FIXDEM_INLINE Lanes8 fused_minus(Lanes8 a, Lanes8 b, Lanes8 c) { return Lanes8(_
 FIXDEM_INLINE Lanes8 sqrt(Lanes8 a) { return Lanes8(_mm512_maskz_sqrt_pd(0xff, a)); }
 FIXDEM_INLINE Lanes8 abs(Lanes8 a) { return Lanes8(_mm512_andnot_pd(_mm512_set1_pd(-0.0), a)); }
 FIXDEM_INLINE unsigned bits(Mask8 mask) { return _mm512_movepi64_mask(__m512i(mask)); }
-FIXDEM_INLINE bool any(Mask8 mask) { return bits(mask) != 0; }
+FIXDEM_INLINE bool any(Mask8 mask) { return _mm512_test_epi64_mask(__m512i(mask), __m512i(mask)) != 0; }
+FIXDEM_INLINE Lanes8 join(Lanes4 low, Lanes4 high) {
+  return Lanes8(_mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(__m256d(low)), __m256d(high), 1));
+}
 FIXDEM_INLINE Floats16 fused(Floats16 a, Floats16 b, Floats16 c) { return Floats16(_mm512_fmadd_ps(a, b, c)); }
 FIXDEM_INLINE Floats16 fused_minus(Floats16 a, Floats16 b, Floats16 c) { return Floats16(_mm512_fnmadd_ps(a, b, c)); }
 FIXDEM_INLINE Floats16 sqrt(Floats16 a) { return Floats16(_mm512_maskz_sqrt_ps(0xffff, a)); }
 FIXDEM_INLINE Floats16 abs(Floats16 a) { return Floats16(_mm512_andnot_ps(_mm512_set1_ps(-0.0f), a)); }
 FIXDEM_INLINE unsigned bits(FloatMask16 mask) { return _mm512_movepi32_mask(__m512i(mask)); }
-FIXDEM_INLINE bool any(FloatMask16 mask) { return bits(mask) != 0; }
+FIXDEM_INLINE bool any(FloatMask16 mask) { return _mm512_test_epi32_mask(__m512i(mask), __m512i(mask)) != 0; }
 FIXDEM_INLINE Floats16 narrow(Lanes8 low, Lanes8 high) {
   const Floats8 first = Floats8(_mm512_maskz_cvtpd_ps(0xff, low)), second = Floats8(_mm512_maskz_cvtpd_ps(0xff, high));
   return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
@@ -124,6 +127,7 @@ FIXDEM_INLINE Lanes8 abs(Lanes8 a) {
 FIXDEM_INLINE Floats16 abs(Floats16 a) {
   return detail::both<Floats16>(abs(detail::half<Floats8>(a, 0)), abs(detail::half<Floats8>(a, 1)));
 }
+FIXDEM_INLINE Lanes8 join(Lanes4 low, Lanes4 high) { return detail::both<Lanes8>(low, high); }
 FIXDEM_INLINE bool any(Mask8 mask) { return any(detail::half<Mask4>(mask, 0) | detail::half<Mask4>(mask, 1)); }
 FIXDEM_INLINE unsigned bits(Mask8 mask) {
   return bits(detail::half<Mask4>(mask, 0)) | bits(detail::half<Mask4>(mask, 1)) << 4;

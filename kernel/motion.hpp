@@ -59,9 +59,9 @@ requires(Case::energy_ledger&& Case::has_gas) struct MotionWatch<Case, W> {
 
 /// Velocity change of a particle by its contacts: own rows, less the forces of incoming ones (torques are equal on both
 /// spheres and are added). In mixed precision rows are summed in float, then widened.
-template <class Case, int W, int k, class Offset>
+template <class Case, int W, int k>
 FIXDEM_INLINE void sum_rows(
-    const Offset* own_rows, const Real<Case>* rows,
+    const std::size_t* own_rows, const Real<Case>* rows,
     Lanes<motion_step<Case, W>> (&change)[Particles<Case>::motion_width / motion_step<Case, W>]) {
   constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   using Sum = RowSum<width, contact_lanes<Case, W>, Real<Case>>;
@@ -102,9 +102,10 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
   // Rows are found from their offsets alone: an address from a particle's number takes nine instructions more.
   for (int q = 0; q < particles_in_bucket; ++q, entry += 2 * k + 1) {
     V change[width / step];
-    sum_rows<Case, W, k>(entry + 1, rows, change);
-    double* const motion = row_at<width>(particles.motion[base], entry[0]);
-    double* const position = row_at<4>(particles.position[base], entry[0]);
+    const Offsets<2 * k + 1, Offset> at(entry);
+    sum_rows<Case, W, k>(at.value + 1, rows, change);
+    double* const motion = row_at<width>(particles.motion[base], at.value[0]);
+    double* const position = row_at<4>(particles.position[base], at.value[0]);
     for (int p = 0; p < width / step; ++p) {
       const int column = p * step;
       const bool translates = column < 4;  // a part of rotation alone feels neither gravity nor gas
@@ -112,7 +113,7 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
       if (translates) kick = kick + load<V>(gravity_kick + column);
       [[maybe_unused]] V gas{};
       if constexpr (Case::has_gas) {
-        const double* const by_gas = row_at<4>(particles.gas_kick.row[base], entry[0]);
+        const double* const by_gas = row_at<4>(particles.gas_kick.row[base], at.value[0]);
         if constexpr (step == 8)
           gas = __builtin_shufflevector(load<Half>(by_gas), Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
         else if (translates)
@@ -122,7 +123,7 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
       const V moved = fused(load<V>(inertia + column), kick, load<V>(motion + column));
       store(motion + column, moved);
       if constexpr (is_mixed<Case>)
-        store_narrow<step>(row_at<width>(particles.motion_as_float.row[base], entry[0]) + column, moved);
+        store_narrow<step>(row_at<width>(particles.motion_as_float.row[base], at.value[0]) + column, moved);
       const V square = moved * moved;
       if (translates) watch.motion_square.part[p] = max(square, watch.motion_square.part[p]);
       watch.square_sum.part[p] = square + watch.square_sum.part[p];
@@ -133,7 +134,7 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
         store(position + column, fused(moved, splat<V>(Case::time_step), load<V>(position + column)));
       }
       if constexpr (Particles<Case>::predicts) {
-        double* const last_kick = row_at<4>(particles.last_kick.row[base], entry[0]);
+        double* const last_kick = row_at<4>(particles.last_kick.row[base], at.value[0]);
         if constexpr (step == 8)
           store(last_kick, __builtin_shufflevector(kick, kick, 0, 1, 2, 3));
         else if (translates)

@@ -81,6 +81,19 @@ struct NearList {
     p.margin = wanted < least ? least : (wanted > greatest ? greatest : wanted);
   }
 
+  /// Whether particles are so slow that no contact of the range turns by an angle that counts in the law: whose square
+  /// is half a unit in the last place (turning_square). In a step two particles move by twice the bound on the speed at
+  /// most, over the distance of their centres, or one over its distance from the axis; a factor of four is left.
+  bool is_still(int range) const {
+    constexpr double reach = D::pipe_radius - D::radius;
+    constexpr double lever = Case::has_wall && reach < Case::diameter ? reach : Case::diameter;
+    constexpr double angle = is_mixed<Case> ? 0x1p-13 : 0x1p-27, limit = angle * lever / (8 * Case::time_step);
+    const bool wraps = range == Cap::chunks;
+    const int own = wraps ? 0 : range, other = wraps ? Cap::chunks - 1 : (range + 1 < Cap::chunks ? range + 1 : range);
+    const int third = wraps && Cap::chunks > 1 ? Cap::chunks - 2 : other;
+    return speed[own] < limit && speed[other] < limit && speed[third] < limit;
+  }
+
   double longest_way() const {
     double longest = 0;
     for (double w : way) longest = max(w, longest);

@@ -101,17 +101,18 @@ struct PairSide {
   }
 };
 
-/// Force rows of range `range` of the near pairs, written from `rows` on. `W`: doubles per register.
+/// Force rows of range `range` of the near pairs, written from `rows` on. `W`: doubles per register; `are_still`: see
+/// dense_contacts.
 template <class Case, int W>
-void pair_contacts(PairBatches<Case>& pairs, const Particles<Case>& particles, int range, Real<Case>* rows,
-                   Watch<Case>& watch) {
+void pair_contacts(PairBatches<Case>& pairs, const Particles<Case>& particles, int range, bool are_still,
+                   Real<Case>* rows, Watch<Case>& watch) {
   constexpr int lanes = contact_lanes<Case, W>;
   const PairSide<Case> side(particles, range);
   const int first = PairBatches<Case>::first(range);
   if (pairs.sparse[range])
     sparse_contacts<Case, lanes>(side, pairs, first, pairs.count[range], rows, watch);
   else
-    dense_contacts<Case, lanes>(side, pairs, first, pairs.count[range], rows, watch);
+    dense_contacts<Case, lanes>(side, pairs, first, pairs.count[range], are_still, rows, watch);
 }
 
 }  // namespace fixdem

@@ -125,13 +125,13 @@ struct RowLanes<8> {
   static FIXDEM_INLINE Lanes8 odd_blocks(Lanes8 a, Lanes8 b) {
     return __builtin_shufflevector(a, b, 2, 3, 6, 7, 10, 11, 14, 15);
   }
-  static FIXDEM_INLINE Lanes8 join(Lanes4 a, Lanes4 b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7); }
 
-  /// Eight rows of 4 into three vectors; the pads are dropped.
-  template <class Row>
-  static FIXDEM_INLINE Vec3<Lanes8> vectors(Row&& row) {
-    const Lanes8 r02 = join(row(0, 0), row(2, 0)), r13 = join(row(1, 0), row(3, 0));
-    const Lanes8 r46 = join(row(4, 0), row(6, 0)), r57 = join(row(5, 0), row(7, 0));
+  /// Two rows of 4 side by side.
+  static FIXDEM_INLINE Lanes8 two(const double* a, const double* b) { return join(load<Lanes4>(a), load<Lanes4>(b)); }
+  /// Eight rows of 4 into three vectors; the pads are dropped. `rows(k, l)`: rows k and l side by side.
+  template <class TwoRows>
+  static FIXDEM_INLINE Vec3<Lanes8> vectors(TwoRows&& rows) {
+    const Lanes8 r02 = rows(0, 2), r13 = rows(1, 3), r46 = rows(4, 6), r57 = rows(5, 7);
     const Lanes8 low_a = low_of_pairs(r02, r13), low_b = low_of_pairs(r46, r57);  // x0 x1 z0 z1 x2 x3 z2 z3
     return {even_blocks(low_a, low_b), even_blocks(high_of_pairs(r02, r13), high_of_pairs(r46, r57)),
             odd_blocks(low_a, low_b)};

@@ -28,13 +28,43 @@ FIXDEM_INLINE T* row_at(T* rows, Offset offset) {
   return reinterpret_cast<T*>(reinterpret_cast<Byte*>(rows) + Width * sizeof(T) / 8 * std::size_t{offset});
 }
 
+/// Offsets as numbers in registers, four of 16 bits with one load; `from` may be read up to the next multiple of 4.
+template <int Count, class Offset>
+struct Offsets {
+  std::size_t value[Count];
+  FIXDEM_INLINE explicit Offsets(const Offset* from) {
+    for (int k = 0; k < Count; ++k) value[k] = from[k];
+  }
+};
+template <int Count>
+struct Offsets<Count, std::uint16_t> {
+  std::size_t value[Count];
+  FIXDEM_INLINE explicit Offsets(const std::uint16_t* from) {
+    for (int k = 0; k < Count; k += 4) {
+      std::uint64_t four;
+      __builtin_memcpy(&four, from + k, sizeof four);
+      asm("" : "+r"(four));  // else the compiler takes it apart into loads again
+      for (int j = 0; j < 4 && k + j < Count; ++j) value[k + j] = static_cast<std::uint16_t>(four >> 16 * j);
+    }
+  }
+};
+
+/// Whether a register holds two rows of 4.
+template <int W, class T>
+inline constexpr bool joins_rows = W == 8 && sizeof(T) == sizeof(double);
+
 /// Vectors of the rows `offset` of an array with rows of 4.
 template <int W, class T, class Offset>
 FIXDEM_INLINE Vec3<Lanes<W, T>> load_vectors(const T* rows, const Offset* offset) {
   using Rows = RowLanes<W, T>;
-  return Rows::vectors([&](int k, int column) FIXDEM_INLINE_LAMBDA {
-    return load<typename Rows::Part>(row_at<4>(rows, offset[k]) + column);
-  });
+  if constexpr (joins_rows<W, T>)
+    return Rows::vectors([&](int k, int l) FIXDEM_INLINE_LAMBDA {
+      return Rows::two(row_at<4>(rows, offset[k]), row_at<4>(rows, offset[l]));
+    });
+  else
+    return Rows::vectors([&](int k, int column) FIXDEM_INLINE_LAMBDA {
+      return load<typename Rows::Part>(row_at<4>(rows, offset[k]) + column);
+    });
 }
 
 /// Vectors a - b of two sets of rows of 4.
@@ -42,9 +72,15 @@ template <int W, class T, class Offset>
 FIXDEM_INLINE Vec3<Lanes<W, T>> load_differences(const T* rows_a, const Offset* a, const T* rows_b, const Offset* b) {
   using Rows = RowLanes<W, T>;
   using Part = typename Rows::Part;
-  return Rows::vectors([&](int k, int column) FIXDEM_INLINE_LAMBDA {
-    return load<Part>(row_at<4>(rows_a, a[k]) + column) - load<Part>(row_at<4>(rows_b, b[k]) + column);
-  });
+  if constexpr (joins_rows<W, T>)
+    return Rows::vectors([&](int k, int l) FIXDEM_INLINE_LAMBDA {
+      return Rows::two(row_at<4>(rows_a, a[k]), row_at<4>(rows_a, a[l])) -
+             Rows::two(row_at<4>(rows_b, b[k]), row_at<4>(rows_b, b[l]));
+    });
+  else
+    return Rows::vectors([&](int k, int column) FIXDEM_INLINE_LAMBDA {
+      return load<Part>(row_at<4>(rows_a, a[k]) + column) - load<Part>(row_at<4>(rows_b, b[k]) + column);
+    });
 }
 
 /// Motion of the rows `offset` of an array with rows of 8.

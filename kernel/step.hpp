@@ -28,6 +28,7 @@ struct State {
   Watch<Case> watch[NearList<Case>::ranges];
   Status status;
   long long step;
+  long long histories_given_at;  ///< step at which they came from outside: they may lie across the plane of contact
 };
 
 namespace detail {
@@ -99,16 +100,17 @@ void write_rows(State<Case>& s, int range, Real<Case>* ring, long long step) {
   Watch<Case>& watch = s.watch[range];
   watch.begin_step();
   Real<Case>* rows = ring + (range == Cap::chunks ? Rows<Case>::wrap_first : Rows<Case>::first(range)) * width;
-  pair_contacts<Case, W>(s.contacts.pairs, s.particles, range, rows, watch);
+  const bool are_still = step > s.histories_given_at && s.near_list.is_still(range);
+  pair_contacts<Case, W>(s.contacts.pairs, s.particles, range, are_still, rows, watch);
   if (range == Cap::chunks) {
     if (const Status deep = check_overlap(s, range); !deep.ok()) detail::note(s, deep, step + 1);
     return;
   }
   if constexpr (Case::has_wall)
-    wall_contacts<Case, W, PipeSurface<Case>>(s.contacts.pipe, s.particles, range,
+    wall_contacts<Case, W, PipeSurface<Case>>(s.contacts.pipe, s.particles, range, are_still,
                                               ring + first_pipe_row(s.contacts, range) * width, watch);
   if constexpr (Derived<Case>::has_ends)
-    wall_contacts<Case, W, EndSurfaces<Case>>(s.contacts.ends, s.particles, range,
+    wall_contacts<Case, W, EndSurfaces<Case>>(s.contacts.ends, s.particles, range, are_still,
                                               ring + first_end_row(s.contacts, range) * width, watch);
 }
 

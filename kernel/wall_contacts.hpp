@@ -132,16 +132,18 @@ struct WallSide {
   }
 };
 
-/// Force rows of the near walls of one kind in one chunk, written from `rows` on. `W`: doubles per register.
+/// Force rows of the near walls of one kind in one chunk, written from `rows` on. `W`: doubles per register;
+/// `are_still`: see dense_contacts.
 template <class Case, int W, class Surface, class Walls>
-void wall_contacts(Walls& walls, const Particles<Case>& particles, int chunk, Real<Case>* rows, Watch<Case>& watch) {
+void wall_contacts(Walls& walls, const Particles<Case>& particles, int chunk, bool are_still, Real<Case>* rows,
+                   Watch<Case>& watch) {
   constexpr int lanes = contact_lanes<Case, W>;
   const WallSide<Case, Surface> side(particles, chunk);
   const int first = Walls::first(chunk), count = walls.count[chunk];
   if (walls.sparse[chunk])
     sparse_contacts<Case, lanes>(side, walls, first, count, rows, watch);
   else
-    dense_contacts<Case, lanes>(side, walls, first, count, rows, watch);
+    dense_contacts<Case, lanes>(side, walls, first, count, are_still, rows, watch);
 }
 
 }  // namespace fixdem

@@ -269,7 +269,8 @@ TEST_CASE("dump: a LAMMPS section that reads back exactly") {
         "1 1 0.001 -0.002 0.1 1 2 3 4 5 6 0.005\n2 1 0 0 0.109 -1 0 1e-300 0 0 -0 0.005\n");
 }
 
-TEST_CASE("frame: as text it has the same bits, and what OVITO asks of a VTP file: no appended data, positions in Points") {
+TEST_CASE(
+    "frame: as text it has the same bits, and what OVITO asks of a VTP file: no appended data, positions in Points") {
   Snapshot snapshot;
   snapshot.particles = example_state().particles;
   snapshot.particles[0].velocity[1] = 0.1 + 0.2;
