@@ -22,7 +22,7 @@
 namespace fixdem {
 
 inline constexpr double horizon_steps = 240;     ///< as long as a list of a bed should last; measured optimum 200-300
-inline constexpr double greatest_margin = 0.04;  ///< in diameters; two margins stay below the 0.1 d that floaters need
+inline constexpr double greatest_margin = 0.02;  ///< in diameters; two margins stay below the 0.1 d that floaters need
 inline constexpr double least_margin = 1e-5;     ///< in diameters: at rest, before gravity has acted
 inline constexpr double order_slack = 0.2;       ///< in diameters: how much nearer two particles may come between sorts
 inline constexpr int order_interval = 16;        ///< steps between two decisions whether to sort

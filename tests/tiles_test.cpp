@@ -27,16 +27,16 @@ struct long_pipe : Base {
   static constexpr double pipe_length = layers * 0.0115;
   static constexpr int slice_count = layers;
 };
-struct periodic : long_pipe<cases::pipe_bed, 100> {
+struct periodic : long_pipe<cases::pipe_bed, 200> {
   static constexpr int tile_steps = 8;
 };
-struct deep : long_pipe<cases::pipe_bed, 140> {
+struct deep : long_pipe<cases::pipe_bed, 280> {
   static constexpr int tile_steps = 16;
 };
 struct closed : periodic {
   static constexpr Ends ends = Ends::closed;
 };
-struct with_gas : long_pipe<cases::plug_u24, 100> {
+struct with_gas : long_pipe<cases::plug_u24, 200> {
   static constexpr int tile_steps = 8;
 };
 struct mixed : in_mixed_precision<periodic> {};
