@@ -71,7 +71,7 @@ template <class Case, int W, SlidingLanes mode, class Side, class Offset, class 
 FIXDEM_INLINE int grouped_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
                                    PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
                                    BookedEnergy<Case, W>& energy) {
-  constexpr int lanes = Capacity<Case>::batch, group = 32 * W;
+  constexpr int lanes = Capacity<Case>::batch, group = 12 * W;
   ContactGeometry<Case, W> geometry[group / W];
   int slid = 0;
   for (int begin = 0; begin < count; begin += group) {

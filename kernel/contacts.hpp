@@ -117,7 +117,7 @@ struct Contacts {
   using D = Derived<Case>;
   using Cap = Capacity<Case>;
   static constexpr int row_width = Particles<Case>::motion_width;
-  static constexpr int rows_per_ring = (Rows<Case>::zero + 1) * row_width;
+  static constexpr int rows_per_ring = (Rows<Case>::zero + 2) / 2 * 2 * row_width;  ///< whole lines of the cache
 
   PairBatches<Case> pairs;
   [[no_unique_address]] WallBatches<Case, Case::has_wall> pipe;
