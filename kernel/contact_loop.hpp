@@ -7,9 +7,9 @@
 // of the next W and the separation of those after them. Measured on Zen 3 with AVX2, million particle-steps/s in a
 // settled bed: geometry of eight batches before the law of these 41, all stages of a batch in one step 41, this 47.
 //
-// Registers of 64 bytes, twice as many: the geometry of up to 32 batches, then their law, in which the motion of the
-// next W contacts is loaded and transposed ahead of the law of these. Measured on Zen 5 with AVX-512: interleaved 106,
-// groups of 8 without motion ahead 106, groups of 8 112, this 115.
+// Registers of 64 bytes, twice as many: the geometry of 12 batches, then their law, in which the motion of the next W
+// contacts is loaded and transposed ahead of the law of these. Measured on Zen 5 with AVX-512: interleaved 106, groups
+// of 8 without motion ahead 106, with it 112, of 12 to 48 batches 115.
 //
 // A row is written for every near contact, zero where nothing touches. Here all lanes are computed, which suits a bed;
 // sparse_contacts.hpp serves ranges in which most listed contacts do not touch.

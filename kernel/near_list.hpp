@@ -21,12 +21,15 @@
 
 namespace fixdem {
 
-inline constexpr double horizon_steps = 240;     ///< as long as a list of a bed should last; measured optimum 200-300
-inline constexpr double greatest_margin = 0.02;  ///< in diameters; two margins stay below the 0.1 d that floaters need
-inline constexpr double least_margin = 1e-5;     ///< in diameters: at rest, before gravity has acted
-inline constexpr double order_slack = 0.2;       ///< in diameters: how much nearer two particles may come between sorts
-inline constexpr int order_interval = 16;        ///< steps between two decisions whether to sort
-inline constexpr double speed_growth = 4;        ///< allowed for between two decisions; beyond, the run stops
+inline constexpr double horizon_steps = 240;  ///< as long as a list of a bed should last; measured optimum 200-300
+/// In diameters. A scene in motion looks at fewer pairs the smaller it is, and lists them more often: million
+/// particle-steps/s of an agitated start 293 with 0.015 and 0.02, 285 with 0.025, 273 with 0.04; a plug 88 with any.
+/// Two margins stay below the 0.1 d that floaters need.
+inline constexpr double greatest_margin = 0.02;
+inline constexpr double least_margin = 1e-5;  ///< in diameters: at rest, before gravity has acted
+inline constexpr double order_slack = 0.2;    ///< in diameters: how much nearer two particles may come between sorts
+inline constexpr int order_interval = 16;     ///< steps between two decisions whether to sort
+inline constexpr double speed_growth = 4;     ///< allowed for between two decisions; beyond, the run stops
 
 /// Until when a range of pairs, with the walls of its chunk, holds.
 struct Promise {

@@ -4,6 +4,8 @@
 // So the separations of all are looked at first, and those that touch are gathered into full batches; each lane then
 // computes exactly what it would have in place (contact_loop.hpp), and its row and history go back there. Rows of the
 // others are zero. A bit for each lane remembers who touched in the last step, so that a contact that opens forgets.
+// (Rows added to sums of owner and partner at once, with no row for who does not touch, were slower: agitated 259
+// million particle-steps/s instead of 290, because every particle then adds two sums.)
 #pragma once
 
 #include "contact_loop.hpp"

@@ -80,8 +80,8 @@ struct CaseValues {
   std::int64_t tile_steps = 0;     // 0: the kernel chooses
   std::int64_t memory_budget = 0;  // bytes; 0: none
 
-  double log_interval = 0;         // s
-  double frame_interval = 0;       // s; 0: no frames
+  double log_interval = 0;    // s
+  double frame_interval = 0;  // s; 0: no frames
   std::string frame_data = "binary";
   double sample_interval = 0.01;   // s
   double checkpoint_interval = 0;  // s; 0: by the clock
