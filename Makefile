@@ -317,10 +317,15 @@ render:  ## render CASE's frames with ParaView into OUT/render.png
 	xvfb-run -a pvpython --force-offscreen-rendering tools/picture/render_paraview.py $(OUT) $(OUT)/render.png
 
 .PHONY: test-paraview
-test-paraview:  ## the frames of settle (or CASE) read back by ParaView's own reader
+read_with_paraview = pvpython --force-offscreen-rendering tests/paraview_test.py
+text_case := $(build)/scratch/settle_as_text
+test-paraview:  ## the frames of settle, binary and as text, or of CASE read back by ParaView's own reader
 	$(needs) run render
 	+@$(MAKE) final-state CASE=$(if $(case_given),$(case_file),settle) OUT= SEED= ARGS=
-	@pvpython --force-offscreen-rendering tests/paraview_test.py out/$(if $(case_given),$(case_name),settle) $(if $(case_given),$(case_file),cases/settle.toml)
+	@$(read_with_paraview) out/$(if $(case_given),$(case_name),settle) $(if $(case_given),$(case_file),cases/settle.toml)
+	@$(if $(case_given),,mkdir -p $(build)/scratch; sed '/^frame_interval/a frame_data = "text"' cases/settle.toml >$(text_case).toml)
+	+@$(if $(case_given),,$(MAKE) run CASE=$(text_case).toml OUT=$(text_case) SEED= ARGS=--quiet && \
+	  $(read_with_paraview) $(text_case) $(text_case).toml)
 
 .PHONY: deps
 deps:  ## install what running and testing need; nothing when all is there
