@@ -1,10 +1,10 @@
 # Reads the disassembly of a program (objdump -d -C --no-show-raw-insn) and prints its hot loops: in the functions of the
 # pair contacts, the innermost loops (spans closed by a backward jump with no other such span inside) that take packed
-# square roots. Two stages (geometry; law) of two forms (dense; sparse) make up to four of them.
+# square roots. Two stages (geometry; law) of three forms (at rest; moving; sparse) make up to six of them.
 
 /^[0-9a-f]+ <.*>:$/ { finish(); name = $0; sub(/^[0-9a-f]+ </, "", name); sub(/>:$/, "", name); lines = 0; next }
 
-/^ +[0-9a-f]+:/ && name ~ /pair_contacts/ {
+/^ +[0-9a-f]+:/ && name ~ /pair_contacts|PairSide/ {
   address = $1
   sub(/:$/, "", address)
   at[address] = ++lines
@@ -17,7 +17,7 @@
 END {
   finish()
   if (!printed) {
-    print "no loop with packed square roots in pair_contacts" > "/dev/stderr"
+    print "no loop with packed square roots in the pair contacts" > "/dev/stderr"
     exit 1
   }
 }
