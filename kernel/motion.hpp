@@ -102,7 +102,7 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
   // Rows are found from their offsets alone: an address from a particle's number takes nine instructions more.
   for (int q = 0; q < particles_in_bucket; ++q, entry += 2 * k + 1) {
     V change[width / step];
-    const Offsets<2 * k + 1, Offset> at(entry);
+    const Offsets<2 * k + 1> at = load_offsets<2 * k + 1>(entry);
     sum_rows<Case, W, k>(at.value + 1, rows, change);
     double* const motion = row_at<width>(particles.motion[base], at.value[0]);
     double* const position = row_at<4>(particles.position[base], at.value[0]);

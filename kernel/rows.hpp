@@ -28,26 +28,28 @@ FIXDEM_INLINE T* row_at(T* rows, Offset offset) {
   return reinterpret_cast<T*>(reinterpret_cast<Byte*>(rows) + Width * sizeof(T) / 8 * std::size_t{offset});
 }
 
-/// Offsets as numbers in registers, four of 16 bits with one load; `from` may be read up to the next multiple of 4.
-template <int Count, class Offset>
+/// Offsets as numbers in registers.
+template <int Count>
 struct Offsets {
   std::size_t value[Count];
-  FIXDEM_INLINE explicit Offsets(const Offset* from) {
-    for (int k = 0; k < Count; ++k) value[k] = from[k];
-  }
 };
-template <int Count>
-struct Offsets<Count, std::uint16_t> {
-  std::size_t value[Count];
-  FIXDEM_INLINE explicit Offsets(const std::uint16_t* from) {
+
+/// Those from `from` on, four of 16 bits with one load; it may be read up to the next multiple of 4.
+template <int Count, class Offset>
+FIXDEM_INLINE Offsets<Count> load_offsets(const Offset* from) {
+  Offsets<Count> offsets;
+  if constexpr (sizeof(Offset) == 2) {
     for (int k = 0; k < Count; k += 4) {
       std::uint64_t four;
       __builtin_memcpy(&four, from + k, sizeof four);
       asm("" : "+r"(four));  // else the compiler takes it apart into loads again
-      for (int j = 0; j < 4 && k + j < Count; ++j) value[k + j] = static_cast<std::uint16_t>(four >> 16 * j);
+      for (int j = 0; j < 4 && k + j < Count; ++j) offsets.value[k + j] = static_cast<std::uint16_t>(four >> 16 * j);
     }
+  } else {
+    for (int k = 0; k < Count; ++k) offsets.value[k] = from[k];
   }
-};
+  return offsets;
+}
 
 /// Whether a register holds two rows of 4.
 template <int W, class T>

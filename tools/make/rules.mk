@@ -112,7 +112,7 @@ $(build)/objects/tests/%.o: tests/%.cpp tools/make/variant.mk $(precompiled).gch
 	$(call say,compile $<)
 	$(compile) $(test_flags) $(test_defines) $(test_include) -c $< -o $@
 
-$(build)/tests: $(test_objects) $(run_objects) $(filter-out %/main.o,$(casegen_objects))
+$(build)/tests: $(test_objects) $(run_objects) $(filter-out %/main.o,$(casegen_objects)) $(call objects,tools/stability/tangent.cpp)
 	@mkdir -p $(build)/scratch
 	$(call say,link $@)
 	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -o $@

@@ -12,7 +12,8 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
-/// Greatest eigenvalue of a symmetric matrix without negative ones; `vector` is the start, and the eigenvector after.
+/// Greatest eigenvalue of a symmetric matrix without negative ones; `vector` is the start, and the eigenvector after. The
+/// start must hold some of that eigenvector, or another one is found.
 double greatest(const Matrix& matrix, Vector& vector) {
   constexpr int most_iterations = 3000;
   double value = 0;
@@ -123,10 +124,12 @@ double critical_step(const SpringNetwork& network, const program::StepCriterion&
   if (t.stiffness.nonZeros() == 0) return std::numeric_limits<double>::infinity();
   const Matrix damping =
       criterion.normal_damping * t.normal_damping + criterion.tangential_damping * t.tangential_damping;
-  Vector mode = start_vector(t.stiffness.rows());
+  const Vector start = start_vector(t.stiffness.rows());
+  Vector mode = start;
   double h = 2 / std::sqrt(greatest(t.stiffness, mode));
   for (int iteration = 0; iteration < 40; ++iteration) {
     const Matrix matrix = h * h * t.stiffness + h * damping;
+    mode = (mode + start).normalized();  // where damping counts, other particles may be the ones that limit the step
     greatest(matrix, mode);
     const double k = mode.dot(t.stiffness * mode), c = mode.dot(damping * mode);
     const double next = 8 / (c + std::sqrt(c * c + 16 * k));
