@@ -12,8 +12,8 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
-/// Greatest eigenvalue of a symmetric matrix without negative ones; `vector` is the start, and the eigenvector after. The
-/// start must hold some of that eigenvector, or another one is found.
+/// Greatest eigenvalue of a symmetric matrix without negative ones; `vector` is the start, and the eigenvector after.
+/// The start must hold some of that eigenvector, or another one is found.
 double greatest(const Matrix& matrix, Vector& vector) {
   constexpr int most_iterations = 3000;
   double value = 0;
