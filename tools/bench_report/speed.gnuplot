@@ -1,5 +1,5 @@
 # The picture of bench_report.py, which fills in the words between @ signs.
-set terminal svg size 1000,420 font 'sans-serif,14' background 'white'
+set terminal svg size 1150,420 font 'sans-serif,14' background 'white'
 set output '@OUTPUT@'
 set border 3
 set tics nomirror out
