@@ -67,7 +67,9 @@ if ((EUID != 0)); then as_root=(sudo); fi
 for manager in apt-get dnf pacman brew none; do command -v $manager >/dev/null && break; done
 column=3
 case $manager in
-  apt-get) column=3 update=(apt-get update -q) install=(env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends) ;;
+  apt-get)  # another installation may be under way: wait for it
+    column=3 update=(apt-get update -q)
+    install=(env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 install -q -y --no-install-recommends) ;;
   dnf) column=4 update=(true) install=(dnf install -y) ;;
   pacman) column=5 update=(true) install=(pacman -Sy --needed --noconfirm) ;;
   brew) column=6 update=(true) install=(brew install) as_root=() ;;
