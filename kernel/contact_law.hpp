@@ -186,9 +186,10 @@ inline constexpr double least_square = sizeof(Element<V>) == sizeof(double) ? 0x
 /// Square of the sine of the angle by which a contact may turn in one step before lengths are restored by a root.
 inline constexpr double greatest_turn = 1e-4;
 
-/// How a contact_force call deals with lanes that slide: computes them, or leaves the whole call to be repeated; then
-/// no lane may turn by an angle that counts (NearList::is_still).
-enum class SlidingLanes { computed, left };
+/// How a contact_force call deals with lanes that slide: computes them, or leaves the whole call to be repeated by
+/// `at_rest`. In these two no lane may turn by an angle that counts (NearList::is_still), and none is looked at for it,
+/// so that a lane has the same bits whichever of them it goes through.
+enum class SlidingLanes { computed, left, at_rest };
 
 /// The kept vector projected on the tangent plane and grown by `gain` times the slip. Projection shortens the kept
 /// vector h by the factor sqrt(1 - q), q = (h.n)^2 / h^2; where that is more than half a unit in the last place, its

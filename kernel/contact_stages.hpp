@@ -198,8 +198,8 @@ template <class Case, int W, class Side, class Offset>
 [[gnu::noinline]] void sliding_contact_rows(const Side& side, const ContactGeometry<Case, W>& g, const Offset* owner,
                                             const Offset* partner, const InPlace<Case>& place, int lane, int valid,
                                             BookedEnergy<Case, W>& energy) {
-  contact_rows<Case, W, SlidingLanes::computed>(side, g, owner, partner, side.template motion<W>(owner, partner), place,
-                                                lane, valid, energy);
+  contact_rows<Case, W, SlidingLanes::at_rest>(side, g, owner, partner, side.template motion<W>(owner, partner), place,
+                                               lane, valid, energy);
 }
 
 }  // namespace detail

@@ -14,12 +14,12 @@ struct Coupling {
   double gravity[3];    ///< m/s2
   double gas_velocity;  ///< m/s
   double earlier_work;  ///< of gravity per mass before it was set last, J/kg
-  /// Gravity times time step as the rows of motion have it: velocity, and zeros for rotation.
+  /// Gravity times time step as the rows of motion have it: velocity, and for rotation -0, which changes nothing.
   alignas(64) double kick[8];
 
   void set_gravity(const double (&g)[3]) {
     for (int c = 0; c < 3; ++c) gravity[c] = g[c];
-    for (int c = 0; c < 8; ++c) kick[c] = c < 3 ? g[c] * Case::time_step : 0;
+    for (int c = 0; c < 8; ++c) kick[c] = c < 3 ? g[c] * Case::time_step : (c < 4 ? 0.0 : -0.0);
   }
   /// To what the case says.
   void reset() {

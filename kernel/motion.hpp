@@ -93,8 +93,15 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
   constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   using V = Lanes<step>;
   using Half = Lanes<(step > 1 ? step / 2 : 1)>;  // the translation in a register of 8
-  alignas(64) static constexpr double gravity[8] = {
-      Case::gravity[0] * Case::time_step, Case::gravity[1] * Case::time_step, Case::gravity[2] * Case::time_step};
+  // Where a register holds the rotation too, it gains -0: that changes nothing, while +0 would turn a -0 into +0.
+  alignas(64) static constexpr double gravity[8] = {Case::gravity[0] * Case::time_step,
+                                                    Case::gravity[1] * Case::time_step,
+                                                    Case::gravity[2] * Case::time_step,
+                                                    0,
+                                                    -0.0,
+                                                    -0.0,
+                                                    -0.0,
+                                                    -0.0};
   const double* gravity_kick = gravity;
   if constexpr (is_coupled<Case>) gravity_kick = particles.coupling.kick;
   alignas(64) static constexpr double inertia[8] = {1, 1, 1, 1, 2.5, 2.5, 2.5, 2.5};  // r^2 m / I
@@ -115,7 +122,7 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
       if constexpr (Case::has_gas) {
         const double* const by_gas = row_at<4>(particles.gas_kick.row[base], at.value[0]);
         if constexpr (step == 8)
-          gas = __builtin_shufflevector(load<Half>(by_gas), Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
+          gas = __builtin_shufflevector(load<Half>(by_gas), -Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
         else if (translates)
           gas = load<V>(by_gas + column);
         if (translates) kick = kick + gas;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "checks.hpp"
@@ -56,7 +57,8 @@ void check_solids_fraction(const Reading& reading, Report& report) {
   const double pipe = std::numbers::pi / 4 * v.pipe_diameter * v.pipe_diameter * v.pipe_length;
   const double fraction = static_cast<double>(v.count) * particle / pipe;
   const auto fitting = [&](double limit) {  // rounding must not turn a whole number away
-    return static_cast<std::int64_t>(limit * pipe / particle * (1 + 1e-12));
+    const double most = limit * pipe / particle * (1 + 1e-12);
+    return most < 9e18 ? static_cast<std::int64_t>(most) : std::numeric_limits<std::int64_t>::max();
   };
   if (v.count > fitting(densest))
     report.error(reading.place("particles.count"),
