@@ -29,6 +29,10 @@ inline std::string written(const toml::node& node) {
   } else if (const auto* list = node.as_array()) {
     for (const auto& entry : *list) text += (text.empty() ? "" : ", ") + written(entry);
     text = "[" + text + "]";
+  } else if (const auto* table = node.as_table()) {  // toml++ counts its digits beforehand, of 5e-5 minus three
+    for (const auto& [key, value] : *table)
+      text += (text.empty() ? "" : ", ") + fmt::format("{} = {}", key.str(), written(value));
+    text = "{" + text + "}";
   } else {
     std::ostringstream stream;
     node.visit([&](const auto& value) { stream << value; });
