@@ -57,6 +57,17 @@ struct NearList {
   // High-water marks of the capacities.
   int most_neighbours, most_chunk_pairs, most_wrap_pairs, most_reach;
 
+  /// Chunks in which the particles of a range lie: owners, partners, and across the ends more partners.
+  struct Concerned {
+    int own, other, third;
+    explicit Concerned(int range) {
+      const bool wraps = range == Cap::chunks;
+      own = wraps ? 0 : range;
+      other = wraps ? Cap::chunks - 1 : (range + 1 < Cap::chunks ? range + 1 : range);
+      third = wraps && Cap::chunks > 1 ? Cap::chunks - 2 : other;
+    }
+  };
+
   /// Whether some pair or wall of the range could touch unlisted. A NaN counts as yes.
   bool is_broken(int range) const {
     const Promise& p = promise[range];
@@ -75,11 +86,10 @@ struct NearList {
   /// A new promise from the present speeds.
   void promise_anew(int range) {
     Promise& p = promise[range];
-    const int own = range == Cap::chunks ? 0 : range;
-    const int other = range == Cap::chunks ? Cap::chunks - 1 : (range + 1 < Cap::chunks ? range + 1 : range);
-    const int third = range == Cap::chunks && Cap::chunks > 1 ? Cap::chunks - 2 : other;
-    p.own_way = way[own], p.other_way = way[other], p.third_way = way[third];
-    const double wanted = 2 * max(speed[own], max(speed[other], speed[third])) * Case::time_step * horizon_steps * 1.2;
+    const Concerned at(range);
+    p.own_way = way[at.own], p.other_way = way[at.other], p.third_way = way[at.third];
+    const double wanted =
+        2 * max(speed[at.own], max(speed[at.other], speed[at.third])) * Case::time_step * horizon_steps * 1.2;
     constexpr double least = least_margin * Case::diameter, greatest = greatest_margin * Case::diameter;
     p.margin = wanted < least ? least : (wanted > greatest ? greatest : wanted);
   }
@@ -91,10 +101,8 @@ struct NearList {
     constexpr double reach = D::pipe_radius - D::radius;
     constexpr double lever = Case::has_wall && reach < Case::diameter ? reach : Case::diameter;
     constexpr double angle = is_mixed<Case> ? 0x1p-13 : 0x1p-27, limit = angle * lever / (8 * Case::time_step);
-    const bool wraps = range == Cap::chunks;
-    const int own = wraps ? 0 : range, other = wraps ? Cap::chunks - 1 : (range + 1 < Cap::chunks ? range + 1 : range);
-    const int third = wraps && Cap::chunks > 1 ? Cap::chunks - 2 : other;
-    return speed[own] < limit && speed[other] < limit && speed[third] < limit;
+    const Concerned at(range);
+    return speed[at.own] < limit && speed[at.other] < limit && speed[at.third] < limit;
   }
 
   double longest_way() const {
