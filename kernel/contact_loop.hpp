@@ -21,12 +21,11 @@ namespace fixdem {
 
 namespace detail {
 
-/// The stages of `count` contacts, three of them interleaved. `place(k)`: of the W contacts from number k on. Returns
-/// how many times W contacts held one that slid.
+/// The stages of `count` contacts, three of them interleaved. `place(k)`: of the W contacts from number k on.
 template <class Case, int W, SlidingLanes mode, class Side, class Offset, class PlaceOf>
-FIXDEM_INLINE int interleaved_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
-                                       PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
-                                       BookedEnergy<Case, W>& energy) {
+FIXDEM_INLINE void interleaved_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
+                                        PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
+                                        BookedEnergy<Case, W>& energy) {
   using V = Lanes<W, Real<Case>>;
   constexpr int lanes = Capacity<Case>::batch;
   struct Stored {
@@ -47,7 +46,6 @@ FIXDEM_INLINE int interleaved_contacts(const Side& side, const Offset* owner, co
   separate(0, ring[0]);
   separate(W, ring[1]);
   resolve(ring[0]);
-  int slid = 0;
   for (int k = 0; k < count; k += W) {
     const auto at = [&](int ahead)
                         FIXDEM_INLINE_LAMBDA -> Stored& { return ring[static_cast<unsigned>(k + ahead * W) / W % 4]; };
@@ -56,24 +54,21 @@ FIXDEM_INLINE int interleaved_contacts(const Side& side, const Offset* owner, co
     const ContactGeometry<Case, W>& g = at(0).geometry;
     const auto place = place_of(k);
     const int lane = k % lanes;
-    if (contact_rows<Case, W, mode>(side, g, owner + k, partner + k, side.template motion<W>(owner + k, partner + k),
-                                    place, lane, count - k, energy))
-      continue;
-    ++slid;
+    [[maybe_unused]] const bool is_done =
+        contact_rows<Case, W, mode>(side, g, owner + k, partner + k, side.template motion<W>(owner + k, partner + k),
+                                    place, lane, count - k, energy);
     if constexpr (mode == SlidingLanes::left)
-      sliding_contact_rows<Case, W>(side, g, owner + k, partner + k, place, lane, count - k, energy);
+      if (!is_done) sliding_contact_rows<Case, W>(side, g, owner + k, partner + k, place, lane, count - k, energy);
   }
-  return slid;
 }
 
 /// The same in groups: geometry of all, then the law of all.
 template <class Case, int W, SlidingLanes mode, class Side, class Offset, class PlaceOf>
-FIXDEM_INLINE int grouped_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
-                                   PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
-                                   BookedEnergy<Case, W>& energy) {
+FIXDEM_INLINE void grouped_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
+                                    PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
+                                    BookedEnergy<Case, W>& energy) {
   constexpr int lanes = Capacity<Case>::batch, group = 12 * W;
   ContactGeometry<Case, W> geometry[group / W];
-  int slid = 0;
   for (int begin = 0; begin < count; begin += group) {
     const int end = begin + group < count ? begin + group : count;
     ContactGeometry<Case, W>* g = geometry;
@@ -89,26 +84,24 @@ FIXDEM_INLINE int grouped_contacts(const Side& side, const Offset* owner, const 
       next = side.template motion<W>(owner + ahead, partner + ahead);
       const auto place = place_of(k);
       const int lane = k % lanes;
-      if (contact_rows<Case, W, mode>(side, *g, owner + k, partner + k, motion, place, lane, count - k, energy))
-        continue;
-      ++slid;
+      [[maybe_unused]] const bool is_done =
+          contact_rows<Case, W, mode>(side, *g, owner + k, partner + k, motion, place, lane, count - k, energy);
       if constexpr (mode == SlidingLanes::left)
-        sliding_contact_rows<Case, W>(side, *g, owner + k, partner + k, place, lane, count - k, energy);
+        if (!is_done) sliding_contact_rows<Case, W>(side, *g, owner + k, partner + k, place, lane, count - k, energy);
     }
   }
-  return slid;
 }
 
 /// The way that suits the registers.
 template <class Case, int W, SlidingLanes mode, class Side, class Offset, class PlaceOf>
-FIXDEM_INLINE int all_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
-                               PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
-                               BookedEnergy<Case, W>& energy) {
-  if (count == 0) return 0;
+FIXDEM_INLINE void all_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
+                                PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
+                                BookedEnergy<Case, W>& energy) {
+  if (count == 0) return;
   if constexpr (W * sizeof(Real<Case>) == 64)
-    return grouped_contacts<Case, W, mode>(side, owner, partner, count, place_of, overlap, energy);
+    grouped_contacts<Case, W, mode>(side, owner, partner, count, place_of, overlap, energy);
   else
-    return interleaved_contacts<Case, W, mode>(side, owner, partner, count, place_of, overlap, energy);
+    interleaved_contacts<Case, W, mode>(side, owner, partner, count, place_of, overlap, energy);
 }
 
 /// History block of a batch, or nothing where the case keeps none.
