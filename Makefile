@@ -67,10 +67,11 @@ watch: run  ## the same with a live picture of the pipe in the terminal instead 
 
 .PHONY: test
 test:  ## build and run every test; ends with "N passed, M failed"
-	$(needs) run test $(if $(SAN),,frontier sweep)
+	$(needs) run test $(if $(SAN),,frontier sweep) $(if $(filter memory,$(SAN)),check)
+	$(if $(filter memory,$(SAN)),$(files) $(INSTRUMENTED)/lib/libc++.a)
 	+@$(MAKE) $(parallel) build-tests && { [ -n '$(SAN)' ] || $(MAKE) $(parallel) build-frontier CASE=settle QUICK=1; } || \
 	  { echo '0 passed, 1 failed'; exit 1; }
-	@FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' KILLS='$(if $(SAN),,100)' SWEEP_PYTHON="$(if $(SAN),,$(sweep_python))" \
+	@PROGRAM_ONLY='$(filter memory,$(SAN))' FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' KILLS='$(if $(SAN),,100)' SWEEP_PYTHON="$(if $(SAN),,$(sweep_python))" \
 	  tests/run.sh '$(build)' '$(CXX)' $(test_flags)
 
 .PHONY: soak
@@ -235,7 +236,7 @@ frontier:  ## error against run time for CASE: bench/reports/CASE/frontier.md; Q
 	  --out $(if $(QUICK),$(frontier)/report,bench/reports/$(case_name))
 
 .PHONY: check
-check:  ## formatting, clang-tidy, cppcheck, uninitialised memory, all pinned states, and the tests under sanitizers
+check:  ## formatting, clang-tidy, cppcheck, all pinned states, valgrind, and the tests under sanitizers (address, behaviour, memory)
 	$(needs) run test check
 	@clang-format --dry-run -Werror $(sources)
 	$(files) build-tidy build-checked
@@ -243,6 +244,7 @@ check:  ## formatting, clang-tidy, cppcheck, uninitialised memory, all pinned st
 	@FIXDEM_GOLDEN_ALL='$(golden_all)' $(build)/tests --test-case='golden*' --no-intro
 	@$(MAKE) check-valgrind $(if $(filter x86_64 amd64,$(machine)),ARCH=x86-64-v3)
 	@$(MAKE) test SAN=1
+	@$(MAKE) test SAN=memory CXX=clang++
 
 .PHONY: format
 format:  ## format every source file in place

@@ -238,7 +238,7 @@ class Simulation {
     Status worst{};
     detail::for_each_observed(s_, [&](const detail::Observed<Case>& o) {
       const double overlap = o.contact.overlap / D::radius;
-      if (overlap > worst.value) worst = {Fault::overlap, s_.step, o.contact.owner, overlap, Case::max_overlap};
+      if (overlap > worst.value) worst = {Fault::overlap, o.contact.owner, s_.step, overlap, Case::max_overlap};
     });
     if (!(worst.value > Case::max_overlap)) worst.fault = Fault::none;
     return worst;

@@ -205,7 +205,7 @@ Status update_slices(GasSlices<Case>& gas, Particles<Case>& p) {
   for (int first = 0; first < gas.padded; first += W)
     if (const double residual = detail::solve_slices<Case, W>(gas, first, set_velocity);
         !(residual < greatest_residual))
-      return {Fault::gas_unsolved, 0, -1, residual, greatest_residual};
+      return {Fault::gas_unsolved, -1, 0, residual, greatest_residual};
   for (int i = 0; i < Case::particle_count; ++i) {
     const int s = gas.slice_of[i];
     double force[3] = {};

@@ -69,7 +69,7 @@ FIXDEM_INLINE NormalImpulse<V> normal_impulse(const OverlapRoots<V>& at, V veloc
   const V way_after = constant<V>(half_step) * fused(splat<V>(2), change, velocity);
   const V way_of_state = constant<V>(half_step) * fused(state_weight, change, velocity);
   const V reach = constant<V>(detail::short_way) * at.overlap;
-  const auto is_short =
+  const Mask is_short =
       (abs(way_before) < reach) & (abs(way_after) < reach) & (abs(way_of_state) < reach) & (last > V{});
 
   V elastic, damping_mean, state;
@@ -87,7 +87,7 @@ FIXDEM_INLINE NormalImpulse<V> normal_impulse(const OverlapRoots<V>& at, V veloc
   }
   V state_before = last;
   p.share_of_step = one;
-  const auto in_full = touching & !is_short;
+  const Mask in_full = touching & !is_short;
   is_done = true;
   if constexpr (mode == SlidingLanes::left) {
     is_done = !any(in_full);
@@ -146,7 +146,7 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
     if constexpr (Case::energy_ledger)
       damping_power = fused(s.damping, fused_minus(middle_normal, middle_normal, dot(middle, middle)), normal_power);
 
-    const auto slides = exceeds_friction<Case>(force, s.to_force, spring, p.total) & touching;
+    const Mask slides = exceeds_friction<Case>(force, s.to_force, spring, p.total) & touching;
     [[maybe_unused]] V last_limit{};
     if constexpr (mode == SlidingLanes::left) {
       is_done = is_done & !any(slides);

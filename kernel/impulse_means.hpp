@@ -102,7 +102,7 @@ template <bool is_hertz, class V, class Mask>
 FIXDEM_INLINE WayMeans<V> means_in_full(const OverlapRoots<V>& at, V way_before, V way_after, V way_of_state, V last,
                                         Mask pressed) {
   const V half = splat<V>(0.5), one = splat<V>(1), two = splat<V>(2);
-  const auto has_begun = (last == V{}) & (way_before > V{}), found = last < V{};
+  const Mask has_begun = (last == V{}) & (way_before > V{}), found = last < V{};
   const V since_begin = at.overlap / max(way_before, splat<V>(least_square<V>));  // in half steps, where it approaches
 
   const V overlap_before = at.overlap - way_before, overlap_after = at.overlap + way_after;

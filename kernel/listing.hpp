@@ -170,7 +170,7 @@ Status list_pairs(Contacts<Case>& contacts, NearList<Case>& near, const Particle
                               [&](int j, double square) { add(own, j, square); });
     }
   }
-  if (is_full) return {Fault::pair_capacity, 0, p.id[i - 1], Cap::chunk_pairs + 1, Cap::chunk_pairs};
+  if (is_full) return {Fault::pair_capacity, p.id[i - 1], 0, Cap::chunk_pairs + 1, Cap::chunk_pairs};
   pairs.count[range] = k;
   pairs.sparse[range] = touching < sparse_below * k;
   for (int b = 0; b < batches_for<Case>(k); ++b) pairs.touching[first + b] = Cap::all_lanes;  // as far as is known

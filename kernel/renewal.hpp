@@ -38,14 +38,14 @@ Status check_places(const Particles<Case>& p) {
     const double *x = p.position[i], *v = p.motion[i];
     double sum = (x[0] + x[1]) + x[2];
     for (int c = 0; c < Particles<Case>::motion_width; ++c) sum += v[c];
-    if (!(sum - sum == 0)) return {Fault::non_finite, 0, p.id[i], sum, 0};
+    if (!(sum - sum == 0)) return {Fault::non_finite, p.id[i], 0, sum, 0};
     const double q = sqrt(x[0] * x[0] + x[1] * x[1]);
     if (Case::has_wall && q > Derived<Case>::pipe_radius)
-      return {Fault::outside_pipe, 0, p.id[i], q, Derived<Case>::pipe_radius};
+      return {Fault::outside_pipe, p.id[i], 0, q, Derived<Case>::pipe_radius};
     if (Derived<Case>::is_periodic && !(abs(x[2]) < farthest_place * Case::pipe_length))
-      return {Fault::outside_pipe, 0, p.id[i], x[2], farthest_place * Case::pipe_length};
+      return {Fault::outside_pipe, p.id[i], 0, x[2], farthest_place * Case::pipe_length};
     if (Derived<Case>::has_ends && (x[2] < 0 || x[2] > Case::pipe_length))
-      return {Fault::outside_pipe, 0, p.id[i], x[2], Case::pipe_length};
+      return {Fault::outside_pipe, p.id[i], 0, x[2], Case::pipe_length};
   }
   return {};
 }
@@ -66,8 +66,8 @@ Status find_reaches(NearList<Case>& near, const Particles<Case>& p) {
     // One that has followers up to the last copy may have more.
     const bool has_all = near.copies == count || near.copies == 0 || end < count + near.copies;
     if (followers >= Capacity<Case>::chunk_size && near.copies < count)
-      return {Fault::chunk_capacity, 0, p.id[i], followers + 1.0, Capacity<Case>::chunk_size};
-    if (!has_all) return {Fault::chunk_capacity, 0, p.id[i], near.copies + 1.0, Capacity<Case>::chunk_size};
+      return {Fault::chunk_capacity, p.id[i], 0, followers + 1.0, Capacity<Case>::chunk_size};
+    if (!has_all) return {Fault::chunk_capacity, p.id[i], 0, near.copies + 1.0, Capacity<Case>::chunk_size};
   }
   for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk) {
     const int base = chunk * Capacity<Case>::chunk_size;

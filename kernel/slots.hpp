@@ -63,7 +63,7 @@ Status list_slots(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   if constexpr (Derived<Case>::has_ends) book_walls(contacts.ends, first_end_row(contacts, chunk));
   if constexpr (Derived<Case>::is_periodic)
     if (chunk == 0 || chunk + 2 >= Cap::chunks) book_range(Cap::chunks, 0, R::wrap_base, R::wrap_first);
-  if (crowded >= 0) return {Fault::neighbour_capacity, 0, p.id[base + crowded], Cap::neighbours + 1, Cap::neighbours};
+  if (crowded >= 0) return {Fault::neighbour_capacity, p.id[base + crowded], 0, Cap::neighbours + 1, Cap::neighbours};
 
   const auto length = [&](int i) { return own[i] > incoming[i] ? own[i] : incoming[i]; };
   int* bucket = contacts.bucket[chunk];

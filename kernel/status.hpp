@@ -46,10 +46,11 @@ constexpr const char* describe(Fault fault) {
   return "unknown fault";
 }
 
+/// Without gaps between its members: checkpoints hold its bytes, and all of them must be known.
 struct Status {
   Fault fault = Fault::none;
-  long long step = 0;  ///< steps completed when the fault was found
   int particle = -1;   ///< number in input order; -1 where it is no particle's
+  long long step = 0;  ///< steps completed when the fault was found
   double value = 0;    ///< what describe(fault) says
   double limit = 0;    ///< the greatest value allowed
   constexpr bool ok() const { return fault == Fault::none; }

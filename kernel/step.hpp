@@ -44,14 +44,14 @@ void note(State<Case>& s, Status fault, long long step) {
 template <class Case>
 Status find_culprit(const State<Case>& s, int chunk, Fault fault, double limit) {
   const auto& p = s.particles;
-  Status worst{fault, 0, -1, 0, limit};
+  Status worst{fault, -1, 0, 0, limit};
   const int base = chunk * Capacity<Case>::chunk_size;
   for (int i = base; i < base + particles_in<Case>(chunk); ++i) {
     const double* v = p.motion[i];
     double square = 0;
     for (int c = 0; c < Particles<Case>::motion_width; ++c) square += v[c] * v[c];
     if (fault == Fault::non_finite) {
-      if (!(square - square == 0)) return {fault, 0, p.id[i], square, limit};
+      if (!(square - square == 0)) return {fault, p.id[i], 0, square, limit};
       continue;
     }
     const double way = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * Case::time_step / Derived<Case>::radius;
@@ -66,7 +66,7 @@ Status find_culprit(const State<Case>& s, int chunk, Fault fault, double limit) 
 template <class Case>
 Status check_overlap(const State<Case>& s, int range) {
   const double overlap = greatest_of(s.watch[range].overlap) / Derived<Case>::radius;
-  if (!(overlap <= Case::max_overlap)) return {Fault::overlap, 0, -1, overlap, Case::max_overlap};
+  if (!(overlap <= Case::max_overlap)) return {Fault::overlap, -1, 0, overlap, Case::max_overlap};
   return {};
 }
 
@@ -83,7 +83,7 @@ Status check_chunk(const State<Case>& s, int chunk, long long step) {
   }
   constexpr double slack = order_slack * Case::diameter;
   if (2 * s.near_list.way[chunk] > slack && !s.near_list.in_haste && (step + 1) % order_interval != 0)
-    return {Fault::order_lost, 0, detail::find_culprit(s, chunk, Fault::too_fast, 0).particle,
+    return {Fault::order_lost, detail::find_culprit(s, chunk, Fault::too_fast, 0).particle, 0,
             s.near_list.way[chunk] / Case::diameter, order_slack / 2};
   return {};
 }

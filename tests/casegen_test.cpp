@@ -150,13 +150,19 @@ TEST_CASE("casegen reports every error of a file in one pass, in the order of th
   check_refused(replaced(good_case, "seed = 3", "seed = 3 \u2013"), "\u2013", {"not ASCII", "type it anew"});
 }
 
+#ifdef _LIBCPP_VERSION  // its streams, through which toml++ reads numbers, refuse denormal ones
+constexpr const char* least_number = "2.3e-308";
+#else
+constexpr const char* least_number = "4.9e-324";
+#endif
+
 TEST_CASE("every number of a generated header reads back as the case file's own") {
   const std::vector<std::pair<const char*, const char*>> numbers = {{"diameter", "0.010000000000000002"},
                                                                     {"density", "1234.5678901234567"},
                                                                     {"restitution", "0.1"},
                                                                     {"poisson_ratio", "0.3333333333333333"},
                                                                     {"time_step", "1.9999999999999998e-6"},
-                                                                    {"gas_viscosity", "4.9e-324"},
+                                                                    {"gas_viscosity", least_number},
                                                                     {"gas_velocity", "-1.7976931348623157e308"},
                                                                     {"duration", "2"},
                                                                     {"wall_youngs_modulus", "inf"}};

@@ -72,7 +72,9 @@ inline void check_program(program::SimulationView& view, program::CaseFacts fact
   options.out = scratch("fault");
   options.duration = 1, options.quiet = true;
   prepare_folder(options.out);
-  const auto [code, message] = end_of_loop(view, facts, options);
+  const LoopEnd end = end_of_loop(view, facts, options);
+  const int code = end.code;
+  const std::string& message = end.message;
   CAPTURE(message);
   CHECK(code == (fault_exit_code(fault.fault)));
   CHECK((code == exit_capacity || code == exit_unstable));

@@ -35,13 +35,15 @@ TEST_CASE("dump: a LAMMPS section that reads back exactly") {
 }
 
 TEST_CASE(
-    "frame: as text it has the same bits, and what OVITO asks of a VTP file: no appended data, positions in Points") {
+    "frame: as text it has the same bits, and what OVITO asks of a VTP file: no appended data, the piece first, "
+    "positions in Points") {
   Snapshot snapshot;
   snapshot.particles = two_particles();
   snapshot.particles[0].velocity[1] = 0.1 + 0.2;
   const std::string vtp = encode_vtp(snapshot, 0.005, VtpData::text);
   CHECK(vtp.find("appended") == std::string::npos);
   CHECK(vtp.find("AppendedData") == std::string::npos);
+  CHECK(vtp.find("<PolyData>\n    <Piece ") != std::string::npos);
   const std::string points = "Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">";
   REQUIRE(vtp.find(points) != std::string::npos);
   CHECK(vtp.substr(vtp.find(points) + points.size()).starts_with("0.001 -0.002 0.1 0 0 0.109</DataArray>"));

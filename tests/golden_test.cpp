@@ -130,14 +130,16 @@ TEST_CASE("golden: every shipped case ends in the pinned state") {
     return;
   }
   const std::string advice = "if the result was meant to change: make golden";
-  for (const auto& [key, value] : found) {
+  for (const auto& entry : found) {
+    const auto &key = entry.first, &value = entry.second;
     const auto expected = pinned.find(key);
     CHECK_MESSAGE(expected != pinned.end(), key, " has no pinned state; ", advice);
     if (expected != pinned.end())
       CHECK_MESSAGE(value == expected->second, key, " ends in steps and state ", value, ", pinned is ",
                     expected->second, "; ", advice);
   }
-  for (const auto& [key, value] : pinned) {
+  for (const auto& entry : pinned) {
+    const auto& key = entry.first;
     const std::string name = key.substr(0, key.find(' '));
     CHECK_MESSAGE(files::exists(files::path(FIXDEM_CASES_DIR) / (name + ".toml")), key,
                   " is pinned, but there is no such case; ", advice);

@@ -30,7 +30,6 @@ TEST_CASE("mixed: the restitution depends on no material") {
 struct resting_bed : cases::pipe_bed {
   static constexpr int particle_count = 133;
   static constexpr double pipe_length = 0.12;
-  static constexpr int slice_count = 12;
 };
 
 struct Speeds {

@@ -214,7 +214,7 @@ TEST_CASE("fault report: contact time, advice and exit codes") {
   facts.stiffness_pair = 1.122e8, facts.stiffness_wall = 1.587e8;
   CHECK(contact_time(facts, 1.0) == doctest::Approx(7.16e-5).epsilon(0.002));  // pair; a wall: 8.22e-5 s
   facts.time_step = 1e-5;
-  const Status status{Fault::overlap, 41213, 318, 0.61, 0.5};
+  const Status status{Fault::overlap, 318, 41213, 0.61, 0.5};
   CHECK(fault_sentence(facts, status) == "particle 318 has an overlap of 0.61 radii (limit 0.5)");
   CHECK(fault_advice(facts, status, 1.0).find("try [run] time_step = 3.5e-06") != std::string::npos);
   CHECK(fault_exit_code(Fault::overlap) == exit_unstable);

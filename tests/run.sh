@@ -6,7 +6,7 @@
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
 # Environment: FRONTIER, folder of the programs of `make frontier QUICK=1`; KILLS, how often tests/kill_test.py kills; SWEEP_PYTHON,
-# the python3 of tests/sweep/sweep_test.py. What is empty is left out.
+# the python3 of tests/sweep/sweep_test.py. What is empty is left out. PROGRAM_ONLY, not empty: the test program alone.
 set -euo pipefail
 
 build=$1
@@ -40,6 +40,14 @@ known=$("$build/tests" --count | sed -n 's/.*filters: *//p')
 if [[ $counted != "$known" ]]; then
   echo "tests/run.sh: the program knows $known test cases, and $counted were run"
   echo "0 1" >"$reports/lost.count"
+fi
+
+finish() {
+  cat "$reports"/*.count | awk '{ passed += $1; failed += $2 } END { print passed + 0 " passed, " failed + 0 " failed"; exit passed == 0 || failed > 0 }'
+}
+if [[ -n ${PROGRAM_ONLY:-} ]]; then
+  finish
+  exit
 fi
 
 tests/compile_fail/run.sh "$reports/compile_fail.count" "$@" || true
@@ -77,4 +85,4 @@ run_part watch_test.py tests/watch_test.py "$build/bin/settle" "$build/scratch/w
 run_part quick_stability quick_stability
 [[ -z ${FRONTIER:-} ]] || run_part quick_frontier quick_frontier
 
-cat "$reports"/*.count | awk '{ passed += $1; failed += $2 } END { print passed + 0 " passed, " failed + 0 " failed"; exit passed == 0 || failed > 0 }'
+finish

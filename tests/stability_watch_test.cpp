@@ -148,7 +148,7 @@ class Failing final : public Standing {
   Failing() : Standing(1000) {}
   Status run(long long steps) override {
     Standing::run(steps);
-    return step() < 10 ? Status{} : Status{Fault::too_fast, step(), 3, 0.8, 0.5};
+    return step() < 10 ? Status{} : Status{Fault::too_fast, 3, step(), 0.8, 0.5};
   }
 };
 

@@ -1,5 +1,5 @@
-# What make check looks for beside the tests under sanitizers: reading uninitialised memory (clang's sanitizer for the
-# kernel, valgrind for a whole program) and what cppcheck finds.
+# What make check looks for beside the tests under sanitizers: reading uninitialised memory in the scenes of make identical
+# (clang's sanitizer) and in a whole program (valgrind), and what cppcheck finds.
 
 checked := $(build)/checked
 # Not believed: cppcheck 2.10 cannot read generic lambdas with template parameters (syntaxError) and takes
@@ -9,7 +9,11 @@ cppcheck_options := --std=c++20 --language=c++ --enable=warning,performance,port
   --quiet -I. -I$(build) $(cppcheck_suppressed:%=--suppress=%)
 
 .PHONY: build-checked
-build-checked: $(checked)/cppcheck.ok $(checked)/memory.ok
+build-checked: $(checked)/cppcheck.ok $(checked)/memory.ok $(INSTRUMENTED)/lib/libc++.a
+
+$(INSTRUMENTED)/lib/libc++.a: tools/make/instrumented_library.sh
+	$(call say,build the standard library of clang for the memory sanitizer)
+	$(quiet)$< $(INSTRUMENTED)
 
 $(checked)/cppcheck.ok: $(wildcard tools/casegen/*.?pp tools/run/*.?pp kernel/*.hpp) tools/make/check.mk | $(build)/cases/plug_u24.hpp
 	@mkdir -p $(@D)

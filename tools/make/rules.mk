@@ -95,7 +95,8 @@ soak_cases := settle settle_mixed collide_pair oblique_wall drag_single pipe_bed
 # Tests: one program out of every tests/*.cpp; the headers of all cases come first because any test may use any case.
 # Headers of libraries that many tests include are compiled once (tests/precompiled.hpp); every test still includes what
 # it needs.
-test_objects := $(call objects,$(wildcard tests/*.cpp tests/reference/*.cpp tests/fuzz/*_target.cpp))
+# The memory sanitizer has an operator new of its own, and so no allocations can be counted.
+test_objects := $(call objects,$(filter-out $(if $(filter memory,$(SAN)),tests/no_heap_test.cpp),$(wildcard tests/*.cpp tests/reference/*.cpp tests/fuzz/*_target.cpp)))
 test_defines += -DFIXDEM_CORPUS='"$(abspath tests/corpus)"'
 optimised_objects := $(optimised_tests:%=$(build)/objects/tests/%.o)
 precompiled := $(build)/precompiled/tests.hpp

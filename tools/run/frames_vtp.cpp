@@ -89,15 +89,9 @@ std::string encode_vtp(const Snapshot& snapshot, double radius, VtpData kind, co
                               : data.field("pressure_gradient", "Float64", snapshot.pressure_gradients);
   std::string xml = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n"
-      "  <PolyData>\n    <FieldData>\n"
-      "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:.12g}</DataArray>\n"
-      "      <DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
-      "{}    </FieldData>\n    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" "
-      "NumberOfStrips=\"0\" "
-      "NumberOfPolys=\"0\">\n",
-      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", snapshot.time, snapshot.step, gas, n,
-      n);
-  xml += "      <Points>\n";
+      "  <PolyData>\n    <Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+      "NumberOfPolys=\"0\">\n      <Points>\n",
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", n, n);
   xml += data.array("Points", "Float64", 3,
                     flat(snapshot, chosen, [](const Particle& p) -> const Triple& { return p.position; }));
   xml += "      </Points>\n      <PointData Vectors=\"velocity\">\n";
@@ -111,7 +105,13 @@ std::string encode_vtp(const Snapshot& snapshot, double radius, VtpData kind, co
   xml += "      </PointData>\n      <Verts>\n";
   xml += data.array("connectivity", "Int64", 1, connectivity);
   xml += data.array("offsets", "Int64", 1, offsets);
-  return xml + "      </Verts>\n    </Piece>\n  </PolyData>\n" + data.appended() + "</VTKFile>\n";
+  xml += fmt::format(
+      "      </Verts>\n    </Piece>\n    <FieldData>\n"
+      "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:.12g}</DataArray>\n"
+      "      <DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
+      "{}    </FieldData>\n  </PolyData>\n",
+      snapshot.time, snapshot.step, gas);
+  return xml + data.appended() + "</VTKFile>\n";
 }
 
 FrameWriter::FrameWriter(std::filesystem::path folder, double radius, VtpData data, std::vector<WrittenFrame> written)

@@ -2,11 +2,12 @@
 //
 // VTK writes this format too, but as a dependency it is a hundred times larger than this program; what is needed here
 // is a short XML header and the arrays: as raw appended binary data, each preceded by its size in bytes as UInt64, or
-// as text in the XML elements, in as many digits as give the same bits back. OVITO refuses appended data
-// (ParaViewVTPParticleImporter), and wants the array of positions to be called Points, as VTK's own writer does.
-// Points in m, velocity in m/s, angular_velocity in rad/s, radius in m, contacts (number per particle), id (input
-// order); one vertex cell per particle, so that ParaView shows the points without a filter. Positions and motion in
-// double precision. The time, the step and, with gas, the pressure gradient of each slice (Pa/m) are field data.
+// as text in the XML elements, in as many digits as give the same bits back. OVITO (ParaViewVTPParticleImporter
+// of 3.16) refuses appended data, takes a file for one of particles only if nothing but its Piece comes first, and
+// wants the array of positions to be called Points, as VTK's own writer does. Points in m, velocity in m/s,
+// angular_velocity in rad/s, radius in m, contacts (number per particle), id (input order); one vertex cell per
+// particle, so that ParaView shows the points without a filter. Positions and motion in double precision. The time, the
+// step and, with gas, the pressure gradient of each slice (Pa/m) are field data.
 #pragma once
 
 #include <filesystem>
