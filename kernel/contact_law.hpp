@@ -103,6 +103,10 @@ FIXDEM_INLINE Springs<V> springs(const SpringBase<V>& base) {
 template <class V>
 inline constexpr double turning_square = sizeof(Element<V>) == sizeof(double) ? 0x1p-54 : 0x1p-25;
 
+/// A divisor that is not zero where a vector or a force vanishes.
+template <class V>
+inline constexpr double least_square = sizeof(Element<V>) == sizeof(double) ? 0x1p-1000 : 0x1p-120;
+
 /// Caps the vector at the given length where it is longer. `square` is its squared length.
 template <class V>
 FIXDEM_INLINE Vec3<V> capped(const Vec3<V>& a, V square, V limit) {
@@ -151,11 +155,12 @@ FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const
   Tangential<V> t{};
   if constexpr (Case::slider != Slider::paper) {
     if constexpr (Case::slider == Slider::exact) {
-      const V length = limit / s.to_force;
-      const auto slides = dot(trial, trial) > length * length;
+      const auto slides = s.to_force * s.to_force * dot(trial, trial) > limit * limit;
       const Vec3<V> way = scale(s.gain, load), kept = {trial.x - way.x, trial.y - way.y, trial.z - way.z};
-      t.spring = select(slides, exact_return(kept, way, last_limit, length), trial);
-      t.last_limit = keep(slides, length);
+      const SlidSpring<V> slid =
+          exact_return<Case::tangential != TangentialLaw::rescale>(kept, way, last_limit, limit, s.to_force, slides);
+      t.spring = select(slides, slid.spring, trial);
+      t.last_limit = keep(slides, slid.limit);
     } else {
       t.spring = capped(trial, s.to_force * s.to_force * dot(trial, trial), limit);
     }
@@ -180,9 +185,6 @@ FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const
   return t;
 }
 
-/// A divisor that is not zero where the kept vector vanishes.
-template <class V>
-inline constexpr double least_square = sizeof(Element<V>) == sizeof(double) ? 0x1p-1000 : 0x1p-120;
 /// Square of the sine of the angle by which a contact may turn in one step before lengths are restored by a root.
 inline constexpr double greatest_turn = 1e-4;
 

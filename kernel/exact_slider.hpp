@@ -5,48 +5,79 @@
 // motion is solved. Over the step, slip D (constant velocity), L linear from L_0 to L_1, s from 0 to 1:
 //
 //   inside   h = h_0 + s D until, at s_1, |h| = L. |h_0 + s D| - L(s) is convex and not positive at 0, so there is one
-//   such
-//            place if the trial h_0 + D is longer than L_1, and none otherwise.
+//            such place if the trial h_0 + D is longer than L_1, and none otherwise.
 //   sliding  h keeps the length L, and what D adds beyond it is lost. The angle theta between h and D then obeys
 //            L dtheta/ds = -|D| sin(theta), whatever L does, so that
 //            tan(theta_1/2) = tan(theta(s_1)/2) exp(-x),  x = |D| (1 - s_1) / (mean of L(s_1) and L_1).
 //
-// With c = cos(theta(s_1)), E = exp(-x) and unit vectors e along D, g along h(s_1), the half angles drop out:
-//   h = L_1 ((1 + c - E^2 (1 - c) - 2 E c) e + 2 E g) / (1 + c + E^2 (1 - c)).
-// Lengths are in units of the history, metres or scaled force.
+// With E = exp(-x), C = h(s_1).D, A = L(s_1) |D| + C and B = E^2 (L(s_1) |D| - C) the half angles drop out, and all
+// inverse lengths but one:
+//   h = L_1 ((A - B - 2 E C) D + 2 E |D|^2 h(s_1)) / (|D| (A + B)).
+// Roots and quotients are what this costs. Most contacts that slide did so in the step before, where s_1 = 0 unless the
+// slip has turned back; the root of the place is left out where all do: a moving bed takes 16.3 ns per particle and
+// step instead of 18.4 (`impulse`, Zen 5 with AVX-512), and 13.4 with `clip`. Lengths are in units of the history,
+// metres or scaled force.
 #pragma once
 
 #include "exponential.hpp"
 
 namespace fixdem {
 
-/// The spring after the step, of length `limit`, where kept + way is longer than that. `kept`: the spring before;
-/// `way`: growth by the slip of the step; `last_limit`: the limit before, or zero where it is not known because the
-/// spring did not slide: then it was as now, or the spring's own length where that is more.
+/// The spring after the step, of length `limit`.
 template <class V>
-FIXDEM_INLINE Vec3<V> exact_return(const Vec3<V>& kept, const Vec3<V>& way, V last_limit, V limit) {
-  const V least = splat<V>(sizeof(Element<V>) == sizeof(double) ? 0x1p-500 : 0x1p-60);
-  const V one = splat<V>(1), square = dot(kept, kept), way_square = dot(way, way);
-  const V first = max(select(last_limit > V{}, last_limit, limit), sqrt(square)), growth = limit - first;
+struct SlidSpring {
+  Vec3<V> spring;
+  V limit;
+};
 
-  // |kept + s way|^2 = (first + s growth)^2: a s^2 + 2 b s + c = 0, the root at which the spring comes out.
-  const V a = way_square - growth * growth, b = fused_minus(first, growth, dot(kept, way));
-  const V c = fused_minus(first, first, square);
-  const V root = sqrt(max(fused_minus(a, c, b * b), V{}));
-  const auto outwards = b > V{};
-  const V s = max(select(outwards, -c, root - b) / max(select(outwards, b + root, a), least * least), V{});
-  const V start = s < one ? s : one;
+/// Where kept + way is longer than the limit (`slides`). `kept`: the spring before; `way`: growth by the slip of the
+/// step; `last_limit`: the limit before, which `stays_on_limit` means that `kept` still has, or zero where it is not
+/// known because the spring did not slide: then it was as now, or the spring's own length where that is more;
+/// `friction`, `stiffness`: the limit is their quotient. In lanes that do not slide the result is any number.
+template <bool stays_on_limit, class V, class Mask>
+FIXDEM_INLINE SlidSpring<V> exact_return(const Vec3<V>& kept, const Vec3<V>& way, V last_limit, V friction, V stiffness,
+                                         Mask slides) {
+  // Products of several lengths are formed: in units of 2^-30 m floats hold them, too.
+  constexpr double unit = 0x1p30;
+  constexpr bool is_double = sizeof(Element<V>) == sizeof(double);
+  const V least = splat<V>(is_double ? 0x1p-1000 : 0x1p-120), least_way = splat<V>(is_double ? 0x1p-200 : 0x1p-30);
+  const V one = splat<V>(1), two = splat<V>(2);
+  const Vec3<V> h = scale(splat<V>(unit), kept), D = scale(splat<V>(unit), way);
+  const V way_square = dot(D, D), way_length = max(sqrt(way_square), least_way);
+  const V last = constant<V>(unit) * last_limit, now = constant<V>(unit) * friction;
+  const V along = dot(h, D);
 
-  const Vec3<V> at_limit = add_scaled(kept, start, way);
-  const V way_length = sqrt(way_square), inverse_way = one / max(way_length, least);
-  const V inverse_length = one / max(sqrt(dot(at_limit, at_limit)), least);
-  const V mean_limit = constant<V>(0.5) * (fused(start, growth, first) + limit);
-  const V E = falling_exponential(way_length * (one - start) / max(mean_limit, least));
-  const V cosine = dot(at_limit, way) * inverse_length * inverse_way;
-  const V share = E * E * (one - cosine);
-  const V scale_to = limit / max(one + cosine + share, least);
-  const V along_way = scale_to * inverse_way * (one + cosine - share - constant<V>(2) * E * cosine);
-  return add_scaled(scale(along_way, way), scale_to * constant<V>(2) * E * inverse_length, at_limit);
+  // Whoever slid in the last step begins on the limit, and goes on sliding at once unless the spring turns inwards.
+  const Mask slid = last > V{}, began = last <= V{};
+  V start{}, at_start = last;
+  Vec3<V> h_start = h;
+  Mask enters = slides;
+  if constexpr (stays_on_limit)
+    enters = slides & (began | (stiffness * along < last * fused_minus(stiffness, last, now)));
+  if (any(enters)) {
+    // |h + s D|^2 = (first + s growth)^2: a s^2 + 2 b s + c = 0, the root at which the spring comes out.
+    const V square = dot(h, h), limit = now / max(stiffness, least);
+    V first = max(select(slid, last, limit), sqrt(square));
+    if constexpr (stays_on_limit) first = select(slid, last, first);
+    const V growth = limit - first, a = fused_minus(growth, growth, way_square), b = fused_minus(first, growth, along);
+    V c = fused_minus(first, first, square);
+    if constexpr (stays_on_limit) c = keep(began, c);
+    const V root = sqrt(max(fused_minus(a, c, b * b), V{}));
+    const Mask outwards = b > V{};
+    const V s = max(select(outwards, -c, root - b) / max(select(outwards, b + root, a), least), V{});
+    start = keep(enters, s < one ? s : one);
+    at_start = select(enters, fused(start, growth, first), at_start);
+    h_start = add_scaled(h, start, D);
+  }
+
+  const V E =
+      falling_exponential(two * way_length * (one - start) * stiffness / max(fused(at_start, stiffness, now), least));
+  const V cosine = dot(h_start, D), length = at_start * way_length;  // the one in units of the other
+  const V ahead = length + cosine, behind = E * E * max(length - cosine, V{});
+  const V whole = way_length * (ahead + behind);
+  const V scale_to = friction / max(whole * stiffness, least);
+  const V along_way = scale_to * (ahead - behind - two * E * cosine);
+  return {add_scaled(scale(along_way, D), scale_to * two * E * way_length * way_length, h_start), scale_to * whole};
 }
 
 }  // namespace fixdem

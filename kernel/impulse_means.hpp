@@ -21,27 +21,21 @@ struct OverlapRoots {
 
 namespace detail {
 
-/// c_0 + c_1 x + ... + c_8 x^8, in four rounds: the law waits for it, and Horner's rule would take eight.
-template <class V>
-FIXDEM_INLINE V polynomial(const double (&c)[9], V x) {
-  const V square = x * x, fourth = square * square;
-  const V first = fused(splat<V>(c[1]), x, splat<V>(c[0])), second = fused(splat<V>(c[3]), x, splat<V>(c[2]));
-  const V third = fused(splat<V>(c[5]), x, splat<V>(c[4])), last = fused(splat<V>(c[7]), x, splat<V>(c[6]));
-  const V low = fused(second, square, first), high = fused(last, square, third);
-  return fused(fused(splat<V>(c[8]), fourth, high), fourth, low);
-}
+/// Ways up to this share of the overlap go by the series.
+inline constexpr double short_way = 1.0 / 16;
 
-/// Mean of (1 + q t)^(N/4) over t from 0 to 1 for |q| <= 1/16; the first term left out is below 1e-14.
+/// Mean of (1 + q t)^(N/4) over t from 0 to 1 for |q| <= short_way; relative error below 1e-11.
 template <int N, class V>
 FIXDEM_INLINE V mean_power(V q) {
-  constexpr int terms = 9;
-  struct Series {
-    double c[terms] = {1};
-    constexpr Series() {
-      for (int k = 1; k < terms; ++k) c[k] = c[k - 1] * (N / 4.0 - k + 1) / (k + 1);
+  constexpr int terms = 6;
+  struct Binomial {
+    double c[CutSeries<terms>::given] = {1};
+    constexpr Binomial() {
+      for (int k = 1; k < CutSeries<terms>::given; ++k) c[k] = c[k - 1] * (N / 4.0 - k + 1) / k;
+      for (int k = 1; k < CutSeries<terms>::given; ++k) c[k] /= k + 1;
     }
   };
-  static constexpr Series series;
+  static constexpr CutSeries<terms> series(Binomial().c, -short_way, short_way);
   return polynomial(series.c, q);
 }
 
@@ -50,16 +44,6 @@ template <class V>
 FIXDEM_INLINE V sum_of_fourth_degree(V u, V w) {
   const V square = w * w;
   return fused(fused(fused(u + w, u, square), u, square * w), u, square * square);
-}
-
-/// Ways up to this share of the overlap go by the series.
-inline constexpr double short_way = 1.0 / 16;
-
-/// Share of a straight way between two overlaps, of which one may be a gap, on which there is overlap.
-template <class V>
-FIXDEM_INLINE V share_with_overlap(V a, V b) {
-  const V low = a < b ? a : b, high = max(a, b), inside = max(high, V{});
-  return select(low < V{}, inside / max(high - low, splat<V>(least_square<V>)), splat<V>(1));
 }
 
 /// One end of a straight way: overlap (zero for a gap) with its root and fourth root.
@@ -78,18 +62,35 @@ FIXDEM_INLINE V state_at(const OverlapRoots<V>& end) {
   return end.overlap;
 }
 
-/// Means along a straight way from a to b, overlap on all of it: of overlap^(3/2), or the overlap, ...
+/// Share of a straight way on which there is overlap, as a quotient, which is left to whoever has to divide anyhow.
+template <class V>
+struct Share {
+  V part, whole;
+};
+
+/// Between two overlaps of which one may be a gap.
+template <class V>
+FIXDEM_INLINE Share<V> share_with_overlap(V a, V b) {
+  const V low = a < b ? a : b, high = max(a, b);
+  const auto has_gap = low < V{};
+  return {select(has_gap, max(high, V{}), splat<V>(1)), select(has_gap, high - low, splat<V>(1))};
+}
+
+/// Means along a straight way between two overlaps, times the share of it: of overlap^(3/2), or the overlap ...
 template <bool is_hertz, class V>
-FIXDEM_INLINE V elastic_mean(const OverlapRoots<V>& a, const OverlapRoots<V>& b) {
-  if constexpr (!is_hertz) return constant<V>(0.5) * (a.overlap + b.overlap);
-  return constant<V>(0.4) * sum_of_fourth_degree(a.root, b.root) / max(a.root + b.root, splat<V>(least_square<V>));
+FIXDEM_INLINE V elastic_mean(const OverlapRoots<V>& a, const OverlapRoots<V>& b, const Share<V>& share) {
+  const V least = splat<V>(least_square<V>);
+  if constexpr (!is_hertz) return constant<V>(0.5) * (a.overlap + b.overlap) * share.part / max(share.whole, least);
+  return constant<V>(0.4) * sum_of_fourth_degree(a.root, b.root) * share.part /
+         max((a.root + b.root) * share.whole, least);
 }
 /// ... and of overlap^(1/4), or one.
 template <bool is_hertz, class V>
-FIXDEM_INLINE V damping_mean(const OverlapRoots<V>& a, const OverlapRoots<V>& b) {
-  if constexpr (!is_hertz) return splat<V>(1);
-  return constant<V>(0.8) * sum_of_fourth_degree(a.fourth, b.fourth) /
-         max((a.fourth + b.fourth) * (a.root + b.root), splat<V>(least_square<V>));
+FIXDEM_INLINE V damping_mean(const OverlapRoots<V>& a, const OverlapRoots<V>& b, const Share<V>& share) {
+  const V least = splat<V>(least_square<V>);
+  if constexpr (!is_hertz) return share.part / max(share.whole, least);
+  return constant<V>(0.8) * sum_of_fourth_degree(a.fourth, b.fourth) * share.part /
+         max((a.fourth + b.fourth) * (a.root + b.root) * share.whole, least);
 }
 
 /// What the closed forms give: means over the step, values of the state function, share of the step for the spring.
@@ -102,42 +103,47 @@ template <bool is_hertz, class V, class Mask>
 FIXDEM_INLINE WayMeans<V> means_in_full(const OverlapRoots<V>& at, V way_before, V way_after, V way_of_state, V last,
                                         Mask pressed) {
   const V half = splat<V>(0.5), one = splat<V>(1), two = splat<V>(2);
-  const Mask has_begun = (last == V{}) & (way_before > V{}), found = last < V{};
-  const V since_begin = at.overlap / max(way_before, splat<V>(least_square<V>));  // in half steps, where it approaches
-
+  const Mask approaches = way_before > V{}, has_begun = (last == V{}) & approaches, found = last < V{};
   const V overlap_before = at.overlap - way_before, overlap_after = at.overlap + way_after;
-  const OverlapRoots<V> now = end_of_way<is_hertz>(at.overlap), after = end_of_way<is_hertz>(overlap_after);
-  const OverlapRoots<V> before = end_of_way<is_hertz>(select(has_begun, V{}, overlap_before));
-  const V share_before =
-      select(has_begun, since_begin < two ? since_begin : two, share_with_overlap(overlap_before, at.overlap));
-  const V share_after = keep(pressed, share_with_overlap(at.overlap, overlap_after));
   const V overlap_of_state = at.overlap + way_of_state;
+  const OverlapRoots<V> now = {max(at.overlap, V{}), at.root, at.fourth};
+  const OverlapRoots<V> before = end_of_way<is_hertz>(select(has_begun, V{}, overlap_before));
+  const OverlapRoots<V> after = end_of_way<is_hertz>(overlap_after);
   const OverlapRoots<V> of_state = end_of_way<is_hertz>(overlap_of_state);
+  const V longest = two * way_before;  // since it has begun: the half step before this one, too
+  Share<V> share_before = share_with_overlap(overlap_before, at.overlap);
+  share_before.part = select(has_begun, at.overlap < longest ? at.overlap : longest, share_before.part);
+  share_before.whole = select(has_begun, way_before, share_before.whole);
+  const Share<V> share_after = share_with_overlap(at.overlap, overlap_after);
+  const Share<V> share_of_state = share_with_overlap(at.overlap, overlap_of_state);
 
   WayMeans<V> m;
-  m.elastic =
-      half * fused(share_before, elastic_mean<is_hertz>(before, now), share_after * elastic_mean<is_hertz>(now, after));
-  m.damping = half * fused(share_before, damping_mean<is_hertz>(before, now),
-                           keep(pressed, share_with_overlap(at.overlap, overlap_of_state)) *
-                               damping_mean<is_hertz>(now, of_state));
+  m.elastic = half * (elastic_mean<is_hertz>(before, now, share_before) +
+                      keep(pressed, elastic_mean<is_hertz>(now, after, share_after)));
+  m.damping = half * (damping_mean<is_hertz>(before, now, share_before) +
+                      keep(pressed, damping_mean<is_hertz>(now, of_state, share_of_state)));
   m.state = state_at<is_hertz>(of_state);
   m.state_before = select(found, state_at<is_hertz>(before), last);
-  const V whole = select(found, half, one), from_begin = half * since_begin;
-  m.share_of_step = select((has_begun | (found & (way_before > V{}))) & (from_begin < whole), from_begin, whole);
+  m.share_of_step = one;
+  if (const Mask begins = has_begun | found; any(begins)) {
+    const V whole = select(found, half, one);
+    const V from_begin = half * at.overlap / max(way_before, splat<V>(least_square<V>));
+    m.share_of_step = select(begins & approaches & (from_begin < whole), from_begin, whole);
+  }
   return m;
 }
 
-/// sin^2(x) / x^2 from x^2, up to one radian; beyond, as there.
+/// sin^2(x) / x^2 from x^2, up to one radian; beyond, as there. Relative error below 1e-10.
 template <class V>
 FIXDEM_INLINE V square_of_sinc(V x_square) {
-  constexpr int terms = 9;
+  constexpr int terms = 6;
   struct Series {
-    double c[terms] = {1};
+    double c[CutSeries<terms>::given] = {1};
     constexpr Series() {
-      for (int k = 1; k < terms; ++k) c[k] = -c[k - 1] * 4 / ((2.0 * k + 1) * (2.0 * k + 2));
+      for (int k = 1; k < CutSeries<terms>::given; ++k) c[k] = -c[k - 1] * 4 / ((2.0 * k + 1) * (2.0 * k + 2));
     }
   };
-  static constexpr Series series;
+  static constexpr CutSeries<terms> series(Series().c, 0, 1);
   const V x = x_square < constant<V>(1) ? x_square : splat<V>(1);
   return polynomial(series.c, x);
 }
