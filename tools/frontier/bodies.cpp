@@ -1,14 +1,16 @@
 // Many particles at every time step the program was compiled for (setting.hpp): errors, run time, observables.
 //
-// Usage, all output being lines of comma-separated values, factor and gas factor in thousandths of the case's step and
+// Usage; all output is lines of comma-separated values, factor and gas factor in thousandths of the case's step and
 // interval:
-//   bodies errors STATE TRUTH   error,factor,gas,moment,rms,greatest,path   difference of positions to the truth
-//                               (truth.cpp) and root mean square way since the start, m
-//   bodies time STATE           time,factor,gas,seconds,steps    processor time of `steps` steps from the perturbed
-//   state bodies still STATE          still,factor,gas,speed           greatest speed when the state is carried on
-//   unperturbed for 20 ms bodies chaos STATE          chaos,factor,gas,time,rms        separation of two runs, one
-//   moved by 1e-12 m at random bodies long SEED SECONDS [STATE]
-//   long,factor,gas,seed,height,coordination,decay_time,front_velocity,layer_ratio
+//
+// - `bodies errors STATE TRUTH`: `error,factor,gas,moment,rms,greatest,path`, difference of positions to the truth
+//   (truth.cpp) and root mean square way since the start, m
+// - `bodies time STATE`: `time,factor,gas,seconds,steps`, processor time of `steps` steps from the perturbed state
+// - `bodies still STATE`: `still,factor,gas,speed`, greatest speed when the state is carried on unperturbed for 20 ms
+// - `bodies chaos STATE`: `chaos,factor,gas,time,rms`, separation of two runs, one moved by 1e-12 m at random
+// - `bodies long SEED SECONDS [STATE]`:
+//   `long,factor,gas,seed,height,coordination,decay_time,front_velocity,layer_ratio`
+//
 // A run that the kernel stops: `stopped,factor,gas,mode,fault`.
 #include <fmt/format.h>
 
