@@ -1,8 +1,8 @@
 // exp(-x) for x >= 0 on lanes, without a mathematics library.
 //
-// x = k ln 2 + r with a whole number k and |r| <= ln(2)/2; a cut series of exp(-r); the exponent bits of 2^-k. In double
-// the relative error is below 2e-12, in float below 2e-7 (tests/impulse_parts_test.cpp measures it); every width gives
-// the same bits. Beyond x = 700 (float: 80) it stays at the value there, which is no denormal number.
+// x = k ln 2 + r with a whole number k and |r| <= ln(2)/2; a cut series of exp(-r); the exponent bits of 2^-k. In
+// double the relative error is below 2e-12, in float below 2e-7 (tests/impulse_parts_test.cpp measures it); every width
+// gives the same bits. Beyond x = 700 (float: 80) it stays at the value there, which is no denormal number.
 #pragma once
 
 #include "cut_series.hpp"
