@@ -46,7 +46,7 @@ show what that interval costs and saves. Which particles float is told at the ca
 ![Error against run time](frontier.svg)
 
 **Run time**: processor time of one simulated second of the whole scene, from the pushed state below; all programs take turns, the best of
-several rounds counts. **Rebound**: root mean square error of the velocity after an impact over the impact speed, of head-on and of oblique impacts (5 to 80°). **Positions**:
+several rounds counts, each with fresh copies of the programs (where their pages lie in memory makes up to a third). **Rebound**: root mean square error of the velocity after an impact over the impact speed, of head-on and of oblique impacts (5 to 80°). **Positions**:
 error, root mean square over the particles. `~`: more than {HORIZON * 100:g} % of the way travelled, where chaos has taken over. **Pareto**: no
 other setting is both faster and nearer to the truth in that error (positions: after 1 ms).{gas} The near list is not among the knobs: it has no error. The trajectory compared with
 is computed by a program without one that is tested to agree to rounding with the kernel (`tests/agreement*_test.cpp`).
