@@ -81,7 +81,7 @@ std::vector<Rule<CaseValues>> run_keys() {
         "time between frames for ParaView or OVITO; 0: no frames", "in seconds; 0 writes no frames"},
        Real{&Values::frame_interval, not_negative}},
       {{"output", "frame_data", "", false, When::always, "",
-        "binary: small, for ParaView; text: numbers within the XML, which is the only kind of VTP that OVITO opens too",
+        "binary: small, for ParaView; text: numbers within the XML, for OVITO, which refuses appended binary data",
         "\"binary\", or \"text\" for frames that OVITO opens"},
        Choice{&Values::frame_data, {"binary", "text"}}},
       {{"output", "dump", "", false, When::always, "", "also write the frames as a LAMMPS text dump",
