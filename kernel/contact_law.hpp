@@ -103,10 +103,6 @@ FIXDEM_INLINE Springs<V> springs(const SpringBase<V>& base) {
 template <class V>
 inline constexpr double turning_square = sizeof(Element<V>) == sizeof(double) ? 0x1p-54 : 0x1p-25;
 
-/// A divisor that is not zero where a vector or a force vanishes.
-template <class V>
-inline constexpr double least_square = sizeof(Element<V>) == sizeof(double) ? 0x1p-1000 : 0x1p-120;
-
 /// Caps the vector at the given length where it is longer. `square` is its squared length.
 template <class V>
 FIXDEM_INLINE Vec3<V> capped(const Vec3<V>& a, V square, V limit) {

@@ -40,12 +40,11 @@ FIXDEM_INLINE SlidSpring<V> exact_return(const Vec3<V>& kept, const Vec3<V>& way
   // Products of several lengths are formed: in units of 2^-30 m floats hold them, too.
   constexpr double unit = 0x1p30;
   constexpr bool is_double = sizeof(Element<V>) == sizeof(double);
-  const V least = splat<V>(is_double ? 0x1p-1000 : 0x1p-120), least_way = splat<V>(is_double ? 0x1p-200 : 0x1p-30);
+  const V least = splat<V>(least_square<V>), least_way = splat<V>(is_double ? 0x1p-200 : 0x1p-30);
   const V one = splat<V>(1), two = splat<V>(2);
   const Vec3<V> h = scale(splat<V>(unit), kept), D = scale(splat<V>(unit), way);
   const V way_square = dot(D, D), way_length = max(sqrt(way_square), least_way);
-  const V last = constant<V>(unit) * last_limit, now = constant<V>(unit) * friction;
-  const V along = dot(h, D);
+  const V last = constant<V>(unit) * last_limit, force = constant<V>(unit) * friction, along = dot(h, D);
 
   // Whoever slid in the last step begins on the limit, and goes on sliding at once unless the spring turns inwards.
   const Mask slid = last > V{}, began = last <= V{};
@@ -53,10 +52,10 @@ FIXDEM_INLINE SlidSpring<V> exact_return(const Vec3<V>& kept, const Vec3<V>& way
   Vec3<V> h_start = h;
   Mask enters = slides;
   if constexpr (stays_on_limit)
-    enters = slides & (began | (stiffness * along < last * fused_minus(stiffness, last, now)));
+    enters = slides & (began | (stiffness * along < last * fused_minus(stiffness, last, force)));
   if (any(enters)) {
     // |h + s D|^2 = (first + s growth)^2: a s^2 + 2 b s + c = 0, the root at which the spring comes out.
-    const V square = dot(h, h), limit = now / max(stiffness, least);
+    const V square = dot(h, h), limit = force / max(stiffness, least);
     V first = max(select(slid, last, limit), sqrt(square));
     if constexpr (stays_on_limit) first = select(slid, last, first);
     const V growth = limit - first, a = fused_minus(growth, growth, way_square), b = fused_minus(first, growth, along);
@@ -71,12 +70,12 @@ FIXDEM_INLINE SlidSpring<V> exact_return(const Vec3<V>& kept, const Vec3<V>& way
   }
 
   const V E =
-      falling_exponential(two * way_length * (one - start) * stiffness / max(fused(at_start, stiffness, now), least));
-  const V cosine = dot(h_start, D), length = at_start * way_length;  // the one in units of the other
-  const V ahead = length + cosine, behind = E * E * max(length - cosine, V{});
-  const V whole = way_length * (ahead + behind);
+      falling_exponential(two * way_length * (one - start) * stiffness / max(fused(at_start, stiffness, force), least));
+  const V C = dot(h_start, D), lengths = at_start * way_length;
+  const V A = lengths + C, B = E * E * max(lengths - C, V{});
+  const V whole = way_length * (A + B);
   const V scale_to = friction / max(whole * stiffness, least);
-  const V along_way = scale_to * (ahead - behind - two * E * cosine);
+  const V along_way = scale_to * (A - B - two * E * C);
   return {add_scaled(scale(along_way, D), scale_to * two * E * way_length * way_length, h_start), scale_to * whole};
 }
 

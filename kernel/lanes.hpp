@@ -105,6 +105,10 @@ FIXDEM_INLINE V keep(Mask mask, V a) {
   return select(mask, a, V{});
 }
 
+/// A divisor that is not zero where a vector or a force vanishes.
+template <class V>
+inline constexpr double least_square = sizeof(Element<V>) == sizeof(double) ? 0x1p-1000 : 0x1p-120;
+
 template <class V>
 FIXDEM_INLINE V dot(const Vec3<V>& a, const Vec3<V>& b) {
   return fused(a.z, b.z, fused(a.y, b.y, a.x * b.x));

@@ -52,4 +52,29 @@ build-identical-case: $(identical_all:%=$(embedded)/%)
 case-start: $(case_header)
 	+@$(read_start); if [ -n "$$from" ]; then $(MAKE) final-state CASE="$$from" ARGS=; fi
 
+.PHONY: identical
+identical:  ## run the same scenes, or CASE, on every instruction set and on a bare board, and compare the last bit; STEPS=n
+	$(needs) run $(if $(filter aarch64,$(identical_all)),identical embedded)
+	+@$(MAKE) $(if $(case_given),identical-case,identical-scenes)
+
+.PHONY: identical-case identical-scenes
+identical-scenes:
+	$(files) build-identical
+	@tests/identical/run.sh '$(build)/identical/count' '$(build)/identical' '' tests/golden/scenes.txt $(identical_all)
+
+identical-case:
+	$(files) case-start
+	$(files) build-identical-case
+	@tests/identical/run.sh '$(embedded)/count' '$(embedded)' '$(STEPS)' $(identical_all)
+
+.PHONY: embedded
+embedded:  ## run CASE on a bare board (Cortex-M7, emulated) and on this machine, and compare the last bit; STEPS=n
+	$(needs) run embedded
+	$(files) case-start
+	$(files) build-embedded $(embedded)/native
+	@tools/embedded/run.sh $(embedded)/cortex-m7 $(STEPS) | tee $(embedded)/board.txt
+	@$(embedded)/native $(STEPS) >$(embedded)/here.txt
+	@echo "on this machine:  $$(tail -n 1 $(embedded)/here.txt)"
+	@diff <(sed '/^#/d' $(embedded)/board.txt) <(sed '/^#/d' $(embedded)/here.txt) && echo 'every line is the same, to the last bit'
+
 -include $(wildcard $(embedded)/*.d)

@@ -15,4 +15,18 @@ $(figure_impacts): tools/figures/impacts.cpp $(build)/cases/collide_wall.hpp
 .PHONY: build-figures
 build-figures: $(figure_impacts) $(figure_decays) $(addprefix $(build)/bin/,$(plug_cases) settle)
 
+.PHONY: plug-table
+plug-table:  ## run the five plugs from three seeds of each fill (those not yet run) and rewrite the table in cases/README.md
+	$(needs) run table
+	$(files) $(addprefix $(build)/bin/,$(plug_cases))
+	tools/plug_table/plug_table.py --programs $(build)/bin --out out/plug_table --jobs $(JOBS) cases/README.md
+
+.PHONY: figures
+figures:  ## the paper's figures from runs of our own (those not yet made): cases/gallery/ and cases/README.md; JOBS=1: one at a time
+	$(needs) run table report picture figures
+	$(files) build-figures
+	+@$(MAKE) final-state CASE=settle OUT= SEED= ARGS=
+	@$(numpy_python) tools/figures/figures.py cases/README.md --out cases/gallery --programs $(build)/bin --impacts $(figure_impacts) \
+	  --decays $(figure_decays) --jobs $(JOBS)
+
 -include $(wildcard $(figure_impacts).d)

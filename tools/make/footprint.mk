@@ -19,4 +19,11 @@ $(footprint)/cases/$(case_name): tools/footprint/one_case.cpp tools/make/footpri
 .PHONY: build-footprint
 build-footprint: $(footprint)/strips $(footprint)/cases/$(case_name)
 
+.PHONY: footprint
+footprint:  ## memory, code, instructions and cycles of every case and of a scene stripped step by step: kernel/README.md
+	$(needs) run footprint
+	+@for case in $(case_names); do $(MAKE) case-start CASE=$$case; $(MAKE) build-footprint CASE=$$case; done
+	@tools/footprint/footprint.py --strips $(footprint)/strips --programs $(footprint)/cases --headers $(build)/cases \
+	  --readme kernel/README.md $(case_names)
+
 -include $(wildcard $(footprint)/*.d $(footprint)/cases/*.d)

@@ -80,4 +80,16 @@ $(frontier)/collide.%: tools/frontier/collide.cpp $(case_header)
 	$(call frontier_compile,-Og,$(call frontier_choice,$*) -DFIXDEM_FACTORS=$(if \
 	  $(filter $*,$(frontier_laws)),$(frontier_steps_of_laws),$(frontier_steps_of_impacts))) $< $(libraries) -o $@
 
+.PHONY: frontier
+frontier:  ## error against run time for CASE: bench/reports/CASE/frontier.md; QUICK=1: a part, to try it out
+	$(needs) run frontier
+	$(files) build-program
+	+@$(MAKE) final-state OUT= SEED= ARGS=
+	$(files) $(frontier)/truth
+	$(files) build-frontier
+	+@$(read_start); [ -z "$$from" ] || $(MAKE) build-program CASE="$$from"
+	@$(read_start); tools/frontier/frontier.py --programs $(frontier) --case $(case_name) --header $(case_header) \
+	  --state $(frontier_state) $${from:+--fill $(build)/bin/$$(basename "$$from" .toml)} $(if $(QUICK),--quick) \
+	  --out $(if $(QUICK),$(frontier)/report,bench/reports/$(case_name))
+
 -include $(wildcard $(frontier)/notes/*.d)

@@ -30,4 +30,10 @@ $(fuzz)/bin/$(1): tests/fuzz/entry.cpp $(call fuzz_object,$(1)) $(fuzz_sources_$
 endef
 $(foreach t,$(fuzz_targets),$(eval $(call fuzz_rule,$t)))
 
+.PHONY: fuzz
+fuzz:  ## throw hostile cases, state files and particles at the readers and the kernel for TIME seconds in all
+	$(needs) run test fuzz
+	$(files) build-fuzz
+	@tests/fuzz/run.sh $(fuzz) $(TIME) $(fuzz_targets)
+
 -include $(shell find $(fuzz)/objects -name '*.d' 2>/dev/null)

@@ -61,4 +61,27 @@ build-test-lammps:
 lammps-moving-state: start-state
 	@$(read_start); $(call run_case,$(lammps_test)/states/$(case_name)) --duration $(DURATION) --quiet --no-frames
 
+.PHONY: export-lammps
+export-lammps:  ## CASE as input for LAMMPS in out/lammps/CASE, from its start or STATE=file; REPEAT=n copies along a periodic pipe
+	$(needs) run export
+	$(files) $(case_header) $(if $(STATE),,build-program)
+	+@$(MAKE) lammps-state
+	@tools/lammps/export_lammps.py $(lammps_files)
+
+.PHONY: run-lammps
+run-lammps:  ## the same, run over MPI with RANKS=n processes, the gas beside it; STEPS=n; LMP=/path/to/lmp for a case without gas
+	$(needs) run export mpi $(if $(LMP),,lammps)
+	+@$(MAKE) export-lammps
+	+@[ -z "$$($(lammps_has_gas))" ] || { $(needs:@%=%) lammps-library; $(MAKE) $(parallel) build-gas-beside; }
+	@tools/lammps/run_lammps.py $(lammps_out) --header $(case_header) $(if $(REPEAT),--repeat $(REPEAT)) --ranks $(RANKS) \
+	  --mpirun '$(MPIRUN)' $(if $(STEPS),--steps $(STEPS)) $$([ -n "$$($(lammps_has_gas))" ] && echo --program $(gas_beside) || \
+	  echo --program '$(or $(LMP),lmp)')
+
+.PHONY: test-lammps
+test-lammps:  ## LAMMPS beside the kernel: impacts, trajectories, gas, ranks, every case, a plug (some minutes); ONLY=part; README=1: tables
+	$(needs) run test export mpi lammps lammps-library
+	+@$(MAKE) build-test-lammps
+	@tests/lammps/lammps_test.py --build $(build) --headers $(build) --impact-build $(lammps_impacts) --states $(lammps_test)/states \
+	  --out $(lammps_test)/runs $(if $(ONLY),--only $(ONLY)) $(if $(README),--readme tools/lammps/README.md)
+
 -include $(wildcard $(lammps_build)/*/*.d)

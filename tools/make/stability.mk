@@ -23,4 +23,12 @@ $(if $(filter settle,$(case_name)),,$(eval $(call stability_rules,$(build),cases
 # The part that belongs to make test (tests/run.sh).
 build-tests: $(stability_quick)
 
+.PHONY: stability
+stability_out = $(if $(QUICK),$(stability)/page,bench/reports/$(case_name))
+stability:  ## how far CASE is from instability: page, tables and pictures in bench/reports/CASE; QUICK=1 is the part of it in make test
+	$(needs) run test $(if $(QUICK),,report)
+	+@$(MAKE) final-state CASE='$(case_file)' OUT= SEED= ARGS=
+	+tools/stability/stability.py --case-file $(case_file) --casegen $(casegen) --folder $(stability) --results $(usual) \
+	  --make '$(MAKE) $(parallel) CASE=$(case_file)' --out $(stability_out) $(if $(QUICK),--quick)
+
 -include $(wildcard $(build)/stability/*/*.d $(case_build)/stability/*/*.d)

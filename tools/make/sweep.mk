@@ -17,4 +17,18 @@ sweep_python = $(call python_with,tomli_w)
 .PHONY: build-sweep
 build-sweep: $(patsubst $(sweep_out)/cases/%.toml,$(sweep_build)/bin/%,$(wildcard $(sweep_out)/cases/*.toml))
 
+.PHONY: sweep
+sweep:  ## many runs of one case with values that vary: SWEEP=file; ENGINE=parallel (HOSTS=list) or slurm; JOBS=n at a time; only those missing
+	$(needs) run sweep $(filter slurm,$(ENGINE))
+	$(files) $(casegen)
+	+@$(sweep_python) tools/sweep/sweep.py '$(SWEEP)' $(sweep_options) --make '$(MAKE) $(parallel) SWEEP=$(SWEEP) OUT=$(sweep_out)'
+
+.PHONY: test-sweep
+test-sweep:  ## sweeps over two hosts and through Slurm, with a host and a node that die in the middle; as root
+	$(needs) run sweep slurm clusters
+	$(files) $(casegen)
+	@$(sweep_python) tests/sweep/failing_test.py $(build)/scratch/sweep-failing
+	@$(sweep_python) tests/sweep/hosts_test.py $(build)/scratch/sweep-hosts
+	@$(sweep_python) tests/sweep/slurm_test.py $(build)/scratch/sweep-slurm
+
 -include $(wildcard $(sweep_build)/cases/*.d)
