@@ -7,7 +7,7 @@ fuzz := $(BUILD)/fuzz
 fuzz_targets := case state checkpoint particles
 fuzz_compiler := clang++
 fuzz_sanitizers := -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all
-fuzz_flags := $(filter-out $(collect_later),$(common)) -O1 -g1 $(kernel_math) -Wno-sign-conversion -Wno-bitwise-instead-of-logical $(fuzz_sanitizers)
+fuzz_flags := $(filter-out $(collect_later) $(undefined_registers),$(common)) -O1 -g1 $(kernel_math) -Wno-sign-conversion -Wno-bitwise-instead-of-logical $(fuzz_sanitizers)
 fuzz_sources_case := $(filter-out tools/casegen/main.cpp,$(wildcard tools/casegen/*.cpp))
 fuzz_sources_state := $(filter-out tools/run/main.cpp,$(wildcard tools/run/*.cpp))
 fuzz_sources_checkpoint := $(fuzz_sources_state)
