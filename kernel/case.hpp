@@ -183,6 +183,13 @@ struct Capacity {
   }();
 };
 
+/// Whether the gas model holds under this gravity. It takes the height of the bed along y (gas_slices.hpp), so a bed
+/// must lie at the bottom of a horizontal pipe. One particle alone makes no bed while it flies, and none but at the
+/// bottom.
+constexpr bool gas_takes_gravity(const double* gravity, bool has_bed) {
+  return gravity[0] == 0 && (has_bed ? gravity[1] < 0 && gravity[2] == 0 : gravity[1] <= 0);
+}
+
 /// Refuses what makes no sense. Casegen refuses the same with file and line; this is for hand-written cases.
 template <class Case>
 struct Checked {
@@ -209,6 +216,9 @@ struct Checked {
   static_assert(Case::ends != Ends::closed || Case::pipe_length >= 2 * Case::diameter,
                 "fixdem: a closed pipe must be at least 2 particle diameters long: raise [pipe] length");
   static_assert(!Case::has_gas || Case::has_wall, "fixdem: the gas model needs the pipe wall: set [pipe] wall = true");
+  static_assert(
+      !Case::has_gas || gas_takes_gravity(Case::gravity, Case::particle_count > 1),
+      "fixdem: the gas model takes the height of the bed along y: with gas, [run] gravity must be [0, -g, 0]");
   static_assert(Case::time_step > 0, "fixdem: [run] time_step must be positive");
   static_assert(Case::neighbour_capacity >= 2 && Case::neighbour_capacity <= 30,
                 "fixdem: [capacity] neighbours must lie between 2 and 30");

@@ -7,7 +7,7 @@ namespace {
 
 struct other_gas : small_gas {
   static constexpr double gas_velocity = -1.7;
-  static constexpr double gravity[3] = {1.5, -3.0, 0.7};
+  static constexpr double gravity[3] = {0, -3.0, 0};
 };
 struct coupled_gas : small_gas {
   static constexpr bool is_coupled = true;

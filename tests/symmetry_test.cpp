@@ -197,7 +197,7 @@ TEST_CASE("rest: what does not touch and is not pulled stays exactly where it is
 
 struct still_gas : gas_scene {
   static constexpr double gas_velocity = 0;
-  static constexpr double gravity[3] = {0, 0, 0};
+  static constexpr bool is_coupled = true;  // a gas is for a bed, which needs weight; it is taken away below
 };
 
 TEST_CASE("rest: still gas moves nothing") {
@@ -205,6 +205,7 @@ TEST_CASE("rest: still gas moves nothing") {
   Spheres spheres = layered_spheres<still_gas>(still_gas::pipe_length / 7, 0, Random(seed()));
   place_all(kernel<still_gas>(), spheres);
   start(kernel<still_gas>());
+  kernel<still_gas>().set_gravity({0, 0, 0});
   run(kernel<still_gas>(), 1000);
   CHECK(same(all_particles(kernel<still_gas>(), still_gas::particle_count), spheres));
 }

@@ -1,4 +1,5 @@
-// The control: the base case itself, its linear twin, one with gas and one in mixed precision must compile.
+// The control: the base case itself, its linear twin, one with gas, one particle in gas in a
+// vertical pipe, and one in mixed precision must compile.
 #include "base.hpp"
 
 namespace fixdem::compile_fail {
@@ -11,11 +12,16 @@ struct Gas : Base {
   static constexpr bool has_gas = true;
   static constexpr double gas_velocity = 2.4, gas_density = 1.2, gas_viscosity = 1.5e-5, gas_bed_diameter = 0.01;
 };
+struct GrainInGas : Gas {
+  static constexpr int particle_count = 1;
+  static constexpr double gravity[3] = {0, 0, -9.81};
+};
 struct Mixed : Base {
   static constexpr auto precision = Precision::mixed_precision;
 };
 template int use<Base>();
 template int use<Linear>();
 template int use<Gas>();
+template int use<GrainInGas>();
 template int use<Mixed>();
 }  // namespace fixdem::compile_fail

@@ -11,6 +11,7 @@ struct layer : Own {
   static constexpr int particle_count = 20, slice_count = 20;
   static constexpr bool energy_ledger = true;
   static constexpr Ends ends = Ends::periodic;
+  static constexpr double gravity[3] = {0, -9.81, 0};  // the case's own may be one for a single particle
   static constexpr double pipe_diameter = 5.02 * Own::diameter, pipe_length = 20 * Own::diameter;
 };
 template <int velocity>
