@@ -160,7 +160,7 @@ inline const std::vector<BadCase> bad_cases = {
     {"seed = 3", "from = \"other\"", "[start]", {"together with", "exactly one way"}},
     {random_start, "", "[start]", {"where the particles come from", "keep one of"}},
     {random_start, "from = \"nowhere\"", "\"nowhere\"", {"[start] from = \"nowhere\"", "no file", "same folder"}},
-    {random_start, "from = \"../x\"", "\"../x\"", {"[start] from = \"../x\"", "letters, digits"}},
+    {random_start, "from = \"a b\"", "\"a b\"", {"[start] from = \"a b\"", "letters, digits"}},
     {random_start, "from = \"mine\"", "\"mine\"", {"circle: mine -> mine"}},
     {random_start, "from = \"filling\"", "\"filling\"", {"has 7 particles", "as many as here, 2"}},
     {random_start, "from = \"fillin\"", "\"fillin\"", {"did you mean \"filling\"?"}},

@@ -1,91 +1,13 @@
 // tools/casegen: what it refuses, where it points, and that what it writes is exactly what the case file says.
 //
-// The program under test is FIXDEM_CASEGEN, run as a user would run it. Every refusal starts from one good case, with
-// one thing changed; the position of the error is worked out from the changed text, never written by hand. Every bad
-// case is written to a folder of its own in FIXDEM_SCRATCH; a failing test prints the file and what casegen said.
-#include <doctest/doctest.h>
-#include <stdio.h>
-#include <sys/wait.h>
-
+// Every refusal starts from one good case, with one thing changed; the position of the error is worked out from the
+// changed text, never written by hand.
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-#include <vector>
 
-#include "casegen_bad_cases.hpp"
+#include "casegen_run.hpp"
 
-namespace {
-
-namespace fs = std::filesystem;
-using casegen_test::good_case;
-
-struct Outcome {
-  int exit_code;
-  std::string output;  // stdout and stderr
-};
-
-Outcome casegen(const std::string& arguments) {
-  FILE* pipe = popen(("'" FIXDEM_CASEGEN "' " + arguments + " 2>&1").c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::string output;
-  for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) output += static_cast<char>(c);
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
-}
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file, std::ios::binary) << text;
-}
-
-fs::path scratch() { return fs::path(FIXDEM_SCRATCH) / "casegen"; }
-
-bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
-
-/// "line:column" of a marked piece of text, both from 1.
-std::string position_of(const std::string& text, const std::string& piece) {
-  const auto at = text.find(piece);
-  REQUIRE_MESSAGE(at != std::string::npos, piece);
-  std::size_t line = 1, start = 0;
-  for (std::size_t i = 0; i < at; ++i)
-    if (text[i] == '\n') ++line, start = i + 1;
-  return std::to_string(line) + ":" + std::to_string(at - start + 1);
-}
-
-std::string replaced(std::string text, const std::string& piece, const std::string& by) {
-  const auto at = text.find(piece);
-  REQUIRE_MESSAGE(at != std::string::npos, piece);
-  return text.replace(at, piece.size(), by);
-}
-
-/// One bad case: its exit code, position and words, and that no header appears or changes.
-void check_refused(const std::string& text, const std::string& at, const std::vector<const char*>& words) {
-  const fs::path folder = scratch() / "bad", file = folder / "mine.toml", header = folder / "mine.hpp";
-  write(folder / "filling.toml", replaced(good_case, "count = 2", "count = 7"));
-  write(file, text);
-  fs::remove(header);
-  const std::string command = "'" + file.string() + "' --output '" + header.string() + "'";
-  const Outcome outcome = casegen(command);
-  CAPTURE(text);
-  CAPTURE(outcome.output);
-  CHECK(outcome.exit_code == 3);
-  CHECK(contains(outcome.output, file.string() + ":" + position_of(text, at) + ": error: "));
-  for (const std::string word : words) CHECK_MESSAGE(contains(outcome.output, word), word);
-  CHECK_FALSE(fs::exists(header));
-  write(header, "an earlier header");
-  CHECK(casegen(command).exit_code == 3);
-  CHECK(read(header) == "an earlier header");
-}
-
-}  // namespace
+using namespace casegen_test;
 
 TEST_CASE("casegen refuses bad cases with place, value, allowed range and advice") {
   for (const auto& bad : casegen_test::bad_cases)
@@ -144,17 +66,12 @@ TEST_CASE("casegen reports every error of a file in one pass, in the order of th
   const std::string output = casegen("'" + (scratch() / "bad" / "mine.toml").string() + "'").output;
   CHECK(output.find("count = -2") < output.find("fricton"));
   CHECK(output.find("fricton") < output.find("neighbours = 1"));
-  check_refused(replaced(good_case, "seed = 3", "seed = 3 4"), "4\n[run]", {"this is not TOML"});
-  check_refused(replaced(good_case, "seed = 3", "seed = 3\nseed = 4"), "4\n[run]", {"redefine"});
+  check_refused(replaced(good_case, "seed = 3", "seed = 3 4"), "4\n[run]", {"one key = value"});
+  check_refused(replaced(good_case, "seed = 3", "seed = 3\nseed = 4"), "4\n[run]",
+                {"redefine", "stands in the file twice"});
   check_refused(replaced(good_case, "[capacity]", "[[{}]]"), "title", {"cannot be parsed", "this is not TOML"});
   check_refused(replaced(good_case, "seed = 3", "seed = 3 \u2013"), "\u2013", {"not ASCII", "type it anew"});
 }
-
-#ifdef _LIBCPP_VERSION  // its streams, through which toml++ reads numbers, refuse denormal ones
-constexpr const char* least_number = "2.3e-308";
-#else
-constexpr const char* least_number = "4.9e-324";
-#endif
 
 TEST_CASE("every number of a generated header reads back as the case file's own") {
   const std::vector<std::pair<const char*, const char*>> numbers = {{"diameter", "0.010000000000000002"},
@@ -162,8 +79,8 @@ TEST_CASE("every number of a generated header reads back as the case file's own"
                                                                     {"restitution", "0.1"},
                                                                     {"poisson_ratio", "0.3333333333333333"},
                                                                     {"time_step", "1.9999999999999998e-6"},
-                                                                    {"gas_viscosity", least_number},
-                                                                    {"gas_velocity", "-1.7976931348623157e308"},
+                                                                    {"gas_viscosity", "1.0000000000000002e-50"},
+                                                                    {"gas_velocity", "-9.9999999999999987e49"},
                                                                     {"duration", "2"},
                                                                     {"wall_youngs_modulus", "inf"}};
   std::string text = replaced(good_case, "3.0e9", "3.0e9\nwall_youngs_modulus = inf");

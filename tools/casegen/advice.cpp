@@ -19,6 +19,8 @@ namespace {
 
 // Euler's rebound at e = 0.9 is wrong by some 0.1 % at 18 steps per contact and by some 10 % at 4.
 constexpr double fewest_steps_per_contact = 20;
+// Far beyond what any accuracy needs: a unit was mistaken, or a time step.
+constexpr double most_steps_per_contact = 1000;
 
 struct ContactTime {
   const char* between;
@@ -52,6 +54,10 @@ std::vector<ContactTime> contact_times(const CaseValues& v) {
   return times;
 }
 
+std::string steps_text(double steps) {
+  return steps < 1e6 ? fmt::format("{:.1f}", steps) : fmt::format("{:.3g}", steps);
+}
+
 double rayleigh_time(const CaseValues& v) {
   const double shear_modulus = v.youngs_modulus / (2 * (1 + v.poisson_ratio));  // eq. (20)
   return std::numbers::pi * v.diameter / 2 * std::sqrt(v.density / shear_modulus) / (0.1631 * v.poisson_ratio + 0.8766);
@@ -69,8 +75,8 @@ std::string advise_time_step(const Reading& reading, const std::string& name, Re
   const auto times = contact_times(v);
   line("{}: time step {:.4g} s, reference speed {:.4g} m/s", name, v.time_step, v.reference_speed);
   for (const auto& [between, seconds] : times)
-    line("  {} contact   {:.4g} s: time step / contact time {:.4f}, {:.1f} steps per contact", between, seconds,
-         v.time_step / seconds, seconds / v.time_step);
+    line("  {} contact   {:.4g} s: time step / contact time {:.4f}, {} steps per contact", between, seconds,
+         v.time_step / seconds, steps_text(seconds / v.time_step));
   if (v.normal == "hertz") {
     const double rayleigh = rayleigh_time(v);
     line("  Rayleigh time  {:.4g} s: time step / Rayleigh time {:.4f}", rayleigh, v.time_step / rayleigh);
@@ -91,6 +97,13 @@ std::string advise_time_step(const Reading& reading, const std::string& name, Re
             "{} gives only {:.1f} steps per contact at {:.4g} m/s; at least {:.0f} are needed for a true rebound",
             reading.quote("run.time_step"), shortest / v.time_step, v.reference_speed, fewest_steps_per_contact),
         fmt::format("try time_step = {:.1e}, or a softer material", shortest / fewest_steps_per_contact));
+  if (std::isfinite(shortest) && shortest > most_steps_per_contact * v.time_step)
+    report.warning(reading.place("run.time_step"),
+                   fmt::format("{} gives {:.3g} steps per contact at {:.4g} m/s; {:.0f} to some hundreds resolve it",
+                               reading.quote("run.time_step"), shortest / v.time_step, v.reference_speed,
+                               fewest_steps_per_contact),
+                   fmt::format("look at the units of the stiffness, diameter and density; or try time_step = {:.1e}",
+                               shortest / (2 * fewest_steps_per_contact)));
   return text;
 }
 

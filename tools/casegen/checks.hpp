@@ -1,7 +1,7 @@
 // What the keys of a case must satisfy together. Each check points at one key and says what to change.
 //
-// Order: conditions, then `complete`, then geometry, then the predecessor. A check is left out when one of the keys it
-// needs was missing or refused, so that one mistake gives one message.
+// Order: conditions, times, then `complete`, then geometry, placed particles, then the predecessor. A check is left out
+// when one of the keys it needs was missing or refused, so that one mistake gives one message.
 #pragma once
 
 #include <string>
@@ -17,16 +17,28 @@ void check_conditions(Reading& reading, Report& report);
 /// Fills in the defaults that follow from other keys. Needs no valid case: what is unknown stays 0.
 void complete(Reading& reading);
 
-/// Pipe, slices, solids fraction and placed particles.
+/// Time step, duration and intervals.
+void check_times(const Reading& reading, Report& report);
+
+/// Pipe, slices, solids fraction and tiles.
 void check_geometry(const Reading& reading, Report& report);
+
+/// Particles placed one by one.
+void check_placed(const Reading& reading, Report& report);
 
 /// The case that `[start] from` names: exists, is itself in order, fits, and does not lead back here.
 void check_predecessor(const Reading& reading, const std::string& file, Report& report);
 
-/// Path of the case that a file's `[start] from` names: in the same folder.
+/// Whether a `[start] from` is a name or a path without a sign that means something to a shell or to make.
+bool is_plain_path(const std::string& from);
+
+/// Path of the case that a file's `[start] from` names, from the folder of the file.
 std::string predecessor_path(const std::string& file, const std::string& from);
 
-/// The text of a file, byte for byte. Throws std::system_error.
+/// Name of that case: what its results are called.
+std::string predecessor_name(const std::string& from);
+
+/// The text of a file, byte for byte, as far as one of allowed length goes. Throws std::system_error.
 std::string read_file(const std::string& path);
 
 /// Reads and checks a case file, its predecessor excepted.

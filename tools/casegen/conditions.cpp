@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "checks.hpp"
+#include "kernel/case.hpp"
 #include "schema.hpp"
 
 namespace fixdem::casegen {
@@ -69,12 +70,11 @@ void check_start(Reading& reading, Report& report) {
                  fmt::format("[start] has {} together with {}; allowed: exactly one way", found[0], found[1]), advice);
 
   const std::string& from = reading.values.start_from;
-  const bool plain = std::all_of(from.begin(), from.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-  if (!plain) {
+  if (!from.empty() && !is_plain_path(from)) {
     report.error(reading.place("start.from"),
-                 fmt::format("{} is no name of a case; allowed: letters, digits, _ and -", reading.quote("start.from")),
+                 fmt::format("{} is no name or path of a case; allowed: letters, digits, _ - + . and / (no part begins "
+                             "with -, the last one not with a point)",
+                             reading.quote("start.from")),
                  find_key("start", "from")->advice);
     reading.unusable.insert("start.from");
   }
@@ -87,6 +87,20 @@ void check_start(Reading& reading, Report& report) {
                  fmt::format("{}, but [[start.particle]] places {}; allowed: as many as are placed",
                              reading.quote("particles.count"), count),
                  fmt::format("set count = {}, or place {} particles", count, reading.values.count));
+}
+
+/// The gas passes between the bed and the top of the pipe, +y (kernel/gas_slices.hpp); one particle makes no bed as
+/// long as it does not lie on the wall elsewhere than at the bottom.
+void check_gas_gravity(const Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  if (!v.has_gas || !reading.usable({"run.gravity", "particles.count"})) return;
+  const bool has_bed = v.count > 1;
+  if (gas_takes_gravity(v.gravity.data(), has_bed)) return;
+  report.error(reading.place("run.gravity"),
+               fmt::format("{} with a [gas] table; allowed: [0, -g, 0]{}", reading.quote("run.gravity"),
+                           has_bed ? "" : ", for one particle also with a component along z, and zero"),
+               "the gas model takes the height of the bed along y, so the bed must lie at the bottom of a horizontal "
+               "pipe: turn gravity to -y, or remove [gas]");
 }
 
 void check_law_and_gas(const Reading& reading, Report& report) {
@@ -103,26 +117,7 @@ void check_law_and_gas(const Reading& reading, Report& report) {
   if (v.has_gas && !v.wall && reading.usable({"pipe.wall"}))
     report.error(reading.place("pipe.wall"), "[pipe] wall = false with a [gas] table; allowed: true",
                  "the gas model needs the pipe wall: set wall = true, or remove [gas]");
-}
-
-void check_times(const Reading& reading, Report& report) {
-  const CaseValues& v = reading.values;
-  if (!reading.usable({"run.time_step", "run.duration"})) return;
-  if (v.duration < v.time_step)
-    report.error(reading.place("run.duration"),
-                 fmt::format("{} is shorter than one step; allowed: at least time_step = {}",
-                             reading.quote("run.duration"), v.time_step),
-                 "raise duration or lower time_step");
-  const std::pair<const char*, double> intervals[] = {{"output.log_interval", v.log_interval},
-                                                      {"output.frame_interval", v.frame_interval},
-                                                      {"output.sample_interval", v.sample_interval},
-                                                      {"output.checkpoint_interval", v.checkpoint_interval}};
-  for (const auto& [name, interval] : intervals)
-    if (reading.has(name) && reading.usable({name}) && interval > 0 && interval < v.time_step)
-      report.error(reading.place(name),
-                   fmt::format("{} is shorter than one step; allowed: at least time_step = {}", reading.quote(name),
-                               v.time_step),
-                   "raise the interval or lower time_step");
+  check_gas_gravity(reading, report);
 }
 
 }  // namespace
@@ -131,7 +126,6 @@ void check_conditions(Reading& reading, Report& report) {
   check_applicable_keys(reading, report);
   check_start(reading, report);
   check_law_and_gas(reading, report);
-  check_times(reading, report);
 }
 
 }  // namespace fixdem::casegen

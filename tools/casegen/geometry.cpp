@@ -1,8 +1,7 @@
-// Whether the particles fit: pipe, slices, solids fraction, placed particles; and whether tiles fit the pipe.
+// Whether the particles fit: pipe, slices, solids fraction; and whether tiles fit the pipe.
 //
 // The limits are 0.60 of the pipe's volume for any start (random close packing is 0.64, less near walls) and 0.45 for a
-// random arrangement; a denser start is the final state of a case that fills the pipe. Placed particles may overlap
-// one another and the walls by at most `max_overlap` radii, the limit at which a run stops. Lengths in metres.
+// random arrangement; a denser start is the final state of a case that fills the pipe. Lengths in metres.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -73,58 +72,6 @@ void check_solids_fraction(const Reading& reading, Report& report) {
         "let them settle in a longer pipe first (as fill_1000.toml does) and start with from = \"that case\"");
 }
 
-/// Overlap of a placed particle with the pipe and its ends, in metres; the greatest of the three.
-double wall_overlap(const CaseValues& v, const Vector3& x) {
-  const double radius = v.diameter / 2;
-  double overlap = -v.pipe_diameter;
-  if (v.wall) overlap = std::hypot(x[0], x[1]) - (v.pipe_diameter / 2 - radius);
-  if (v.ends == "closed") overlap = std::max({overlap, radius - x[2], x[2] - (v.pipe_length - radius)});
-  return overlap;
-}
-
-double distance(const CaseValues& v, const Vector3& a, const Vector3& b) {
-  double along = std::abs(a[2] - b[2]);
-  if (v.ends == "periodic") along = std::min(along, v.pipe_length - along);
-  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + along * along);
-}
-
-std::string entry(std::size_t index, const char* key) { return fmt::format("start.particle.{}.{}", index, key); }
-
-void check_placed(const Reading& reading, Report& report) {
-  const CaseValues& v = reading.values;
-  if (!reading.usable({"particles.diameter", "pipe.diameter", "pipe.length", "pipe.ends", "run.max_overlap"})) return;
-  const double limit = v.max_overlap * v.diameter / 2;
-  std::vector<std::size_t> inside;
-  for (std::size_t i = 0; i < v.placed.size(); ++i) {
-    const PlacedParticle& particle = v.placed[i];
-    const std::string spin = entry(i, "angular_velocity"), position = entry(i, "position");
-    if (v.friction == 0 && reading.usable({"material.friction"}) && particle.angular_velocity != Vector3{})
-      report.error(reading.place(spin), fmt::format("{} with friction = 0; allowed: [0, 0, 0]", reading.quote(spin)),
-                   "without friction particles do not rotate: remove it, or raise [material] friction");
-    if (!reading.usable({position})) continue;
-    const double overlap = wall_overlap(v, particle.position);
-    if (particle.position[2] < 0 || particle.position[2] > v.pipe_length || overlap > limit)
-      report.error(reading.place(position),
-                   fmt::format("{} (particle {}) is outside the pipe; allowed: z from 0 to {:.6g}, overlap with the "
-                               "walls at most {:.6g}",
-                               reading.quote(position), i, v.pipe_length, limit),
-                   fmt::format("the centre must stay within {:.6g} m of the axis x = y = 0{}",
-                               (v.pipe_diameter - v.diameter) / 2,
-                               v.ends == "closed" ? ", and a radius away from the ends" : ""));
-    else
-      inside.push_back(i);
-  }
-  for (auto a = inside.begin(); a != inside.end(); ++a)
-    for (auto b = inside.begin(); b != a; ++b) {
-      const double overlap = v.diameter - distance(v, v.placed[*a].position, v.placed[*b].position);
-      if (overlap <= limit) continue;
-      report.error(reading.place(entry(*a, "position")),
-                   fmt::format("{} (particle {}) overlaps particle {} by {:.6g} m; allowed: at most {:.6g}",
-                               reading.quote(entry(*a, "position")), *a, *b, overlap, limit),
-                   "move one of them: centres a diameter apart just touch");
-    }
-}
-
 /// A tile needs a pipe of many chunks (kernel/tiles.hpp).
 void check_tiles(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
@@ -148,7 +95,6 @@ void check_tiles(const Reading& reading, Report& report) {
 void check_geometry(const Reading& reading, Report& report) {
   check_pipe(reading, report);
   check_solids_fraction(reading, report);
-  check_placed(reading, report);
   check_tiles(reading, report);
 }
 

@@ -11,6 +11,8 @@
 #include <iterator>
 #include <set>
 
+#include "checks.hpp"
+
 namespace fixdem::casegen {
 namespace {
 
@@ -131,7 +133,7 @@ void write_program(Members& members, const CaseValues& v) {
   members.add("unsigned long long", "seed", fmt::format("{}ULL", v.seed), "");
   members.real("start_velocity", v.start_velocity, "m/s, greatest component");
   members.flag("start_keeps_motion", v.start_motion == "keep");
-  members.text("start_from", v.start_from);
+  members.text("start_from", predecessor_name(v.start_from));
   members.whole("placed_count", static_cast<std::int64_t>(v.placed.size()));
   std::string list;
   for (const auto& particle : v.placed)

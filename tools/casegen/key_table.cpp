@@ -20,11 +20,12 @@ std::string row(const Rule<Record>& rule) {
   std::string need = rule.required ? "required" : rule.default_value();
   const std::string only = describe(rule.when);
   if (!only.empty()) need += fmt::format("; only with {}", only);
-  return fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", rule.name, rule.type(), rule.unit, cell(rule.allowed()),
-                     cell(need), cell(rule.meaning));
+  return fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", rule.name, rule.type(), rule.unit,
+                     cell(rule.allowed()), rule.plausible(), cell(need), cell(rule.meaning));
 }
 
-constexpr const char* heading = "| key | type | unit | allowed | default | meaning |\n|---|---|---|---|---|---|\n";
+constexpr const char* heading =
+    "| key | type | unit | allowed | plausible | default | meaning |\n|---|---|---|---|---|---|---|\n";
 
 }  // namespace
 

@@ -1,40 +1,54 @@
-// Optimal string alignment distance by dynamic programming; names are short, so the whole table is kept.
+// Optimal string alignment distance by dynamic programming, in the last three rows of the table. Names are short: what
+// is longer than all candidates by more than is tolerated is like none of them, and is not compared.
 #include "nearest_name.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace fixdem::casegen {
+namespace {
+
+int tolerated(std::string_view candidate) { return std::max(1, static_cast<int>(candidate.size()) / 3); }
+
+bool comparable(std::string_view name, std::string_view candidate) {
+  const auto [shorter, longer] = std::minmax(name.size(), candidate.size());
+  return longer - shorter <= static_cast<std::size_t>(tolerated(candidate));
+}
+
+}  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::vector<int>> table(a.size() + 1, std::vector<int>(b.size() + 1));
+  std::array<std::vector<int>, 3> rows;
+  for (auto& row : rows) row.resize(b.size() + 1);
   for (std::size_t i = 0; i <= a.size(); ++i) {
+    auto &row = rows[i % 3], &above = rows[(i + 2) % 3], &second = rows[(i + 1) % 3];
     for (std::size_t j = 0; j <= b.size(); ++j) {
       if (i == 0 || j == 0) {
-        table[i][j] = static_cast<int>(i + j);
+        row[j] = static_cast<int>(i + j);
         continue;
       }
-      const int substituted = table[i - 1][j - 1] + (a[i - 1] != b[j - 1]);
-      table[i][j] = std::min({table[i - 1][j] + 1, table[i][j - 1] + 1, substituted});
+      const int substituted = above[j - 1] + (a[i - 1] != b[j - 1]);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, substituted});
       const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (swapped) table[i][j] = std::min(table[i][j], table[i - 2][j - 2] + 1);
+      if (swapped) row[j] = std::min(row[j], second[j - 2] + 1);
     }
   }
-  return table[a.size()][b.size()];
+  return rows[a.size() % 3][b.size()];
 }
 
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates) {
   std::string nearest;
   int least = 0;
   for (const auto& candidate : candidates) {
+    if (!comparable(name, candidate)) continue;
     const int distance = edit_distance(name, candidate);
     if (nearest.empty() || distance < least) {
       nearest = candidate;
       least = distance;
     }
   }
-  const int tolerated = std::max(1, static_cast<int>(nearest.size()) / 3);
-  return least <= tolerated ? nearest : "";
+  return least <= tolerated(nearest) ? nearest : "";
 }
 
 }  // namespace fixdem::casegen

@@ -1,12 +1,9 @@
-// Loading of case files, and the chain of cases that start from one another.
+// The chain of cases that start from one another.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <vector>
 
@@ -18,13 +15,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names of all cases in a folder, for suggestions.
-std::vector<std::string> cases_in(const fs::path& folder) {
+/// Names of the cases in a folder other than this one, for suggestions.
+std::vector<std::string> cases_beside(const fs::path& folder, const fs::path& own) {
   std::vector<std::string> names;
   std::error_code ignored;
   for (const auto& file : fs::directory_iterator(folder.empty() ? "." : folder, ignored))
-    if (file.path().extension() == ".toml") names.push_back(file.path().stem().string());
+    if (file.path().extension() == ".toml" && !fs::equivalent(file.path(), own, ignored))
+      names.push_back(file.path().stem().string());
   return names;
+}
+
+/// What stands in `from` when the nearest case of the folder that it leads to is meant.
+std::string suggestion(const std::string& from, const fs::path& missing, const std::string& file) {
+  const std::string nearest = nearest_name(missing.stem().string(), cases_beside(missing.parent_path(), file));
+  if (nearest.empty()) return "write that case first";
+  return fmt::format("did you mean \"{}\"?", (fs::path(from).parent_path() / nearest).string());
 }
 
 /// What the first predecessor must have in common with the case itself.
@@ -48,63 +53,80 @@ void check_same_particles(const Reading& reading, const CaseValues& before, Plac
 
 }  // namespace
 
-std::string read_file(const std::string& path) {
-  std::error_code status;
-  if (fs::is_directory(path, status)) throw std::system_error(EISDIR, std::generic_category(), path);
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), path);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw std::system_error(EIO, std::generic_category(), path);
-  return text;
+std::string predecessor_path(const std::string& file, const std::string& from) {
+  return (fs::path(file).parent_path() / (from.ends_with(".toml") ? from : from + ".toml")).string();
 }
 
-std::string predecessor_path(const std::string& file, const std::string& from) {
-  return (fs::path(file).parent_path() / (from + ".toml")).string();
+std::string predecessor_name(const std::string& from) {
+  const std::string name = fs::path(from).filename().string();
+  return name.ends_with(".toml") ? name.substr(0, name.size() - 5) : name;
+}
+
+bool is_plain_path(const std::string& from) {
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const char c = from[i];
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+                           c == '+' || c == '.' || c == '/';
+    const bool begins = i == 0 || from[i - 1] == '/';
+    if (!is_letter && (c != '-' || begins)) return false;
+  }
+  const std::string name = predecessor_name(from);
+  return !name.empty() && name[0] != '.';
 }
 
 Reading load_case(const std::string& text, const std::string& label, Report& report) {
   Reading reading = read_case(text, label, report);
   if (reading.tables.empty() && report.errors() > 0) return reading;  // not TOML at all: nothing to check
   check_conditions(reading, report);
+  check_times(reading, report);
   complete(reading);
   check_geometry(reading, report);
+  check_placed(reading, report);
   return reading;
 }
 
 void check_predecessor(const Reading& reading, const std::string& file, Report& report) {
-  if (!reading.usable({"start.from"})) return;
+  if (!reading.usable({"start.from"}) || reading.values.start_from.empty()) return;
   const Place place = reading.place("start.from");
-  std::vector<std::string> chain{fs::path(file).stem().string()};
-  for (std::string from = reading.values.start_from; !from.empty();) {
-    const std::string path = predecessor_path(file, from);
-    const bool seen = std::find(chain.begin(), chain.end(), from) != chain.end();
-    chain.push_back(from);
-    if (seen) {
+  const std::string quoted = reading.quote("start.from"), own_name = fs::path(file).stem().string();
+  std::vector<std::string> chain{own_name}, paths{file};
+  std::string from = reading.values.start_from;
+  while (!from.empty()) {
+    const std::string path = predecessor_path(paths.back(), from), name = predecessor_name(from);
+    std::error_code status;
+    const bool exists = fs::exists(path, status);
+    chain.push_back(name);
+    if (exists && std::any_of(paths.begin(), paths.end(),
+                              [&](const std::string& earlier) { return fs::equivalent(earlier, path, status); })) {
       report.error(place,
-                   fmt::format("{} leads round in a circle: {}; allowed: a case that starts otherwise",
-                               reading.quote("start.from"), fmt::format("{}", fmt::join(chain, " -> "))),
+                   fmt::format("{} leads round in a circle: {}; allowed: a case that starts otherwise", quoted,
+                               fmt::join(chain, " -> ")),
                    "one of these must start with an arrangement or with [[start.particle]]");
       return;
     }
-    if (!fs::exists(path)) {
-      const std::string nearest = nearest_name(from, cases_in(fs::path(file).parent_path()));
-      report.error(
-          place,
-          fmt::format("{}: there is no file {}; allowed: a case in the same folder", reading.quote("start.from"), path),
-          nearest.empty() ? "write that case first" : fmt::format("did you mean \"{}\"?", nearest));
+    if (!exists) {
+      report.error(place,
+                   fmt::format("{}: there is no file {}; allowed: a case in the same folder, or a path from there",
+                               quoted, path),
+                   suggestion(from, path, file));
+      return;
+    }
+    if (chain.size() == 2 && name == own_name) {
+      report.error(place, fmt::format("{}: the case has the same name as this one; allowed: another name", quoted),
+                   "results lie in folders by the name of the case: give one of the two files another");
       return;
     }
     Report errors(path);
     const Reading before = load_case(read_file(path), path, errors);
     if (errors.errors() > 0) {
       report.error(place,
-                   fmt::format("{}: {} has {} error{} of its own; allowed: a case without", reading.quote("start.from"),
-                               path, errors.errors(), errors.errors() == 1 ? "" : "s"),
+                   fmt::format("{}: {} has {} error{} of its own; allowed: a case without", quoted, path,
+                               errors.errors(), errors.errors() == 1 ? "" : "s"),
                    fmt::format("the first: {}:{}", path, errors.first_error()));
       return;
     }
     if (chain.size() == 2) check_same_particles(reading, before.values, place, report);
+    paths.push_back(path);
     from = before.values.start_from;
   }
 }

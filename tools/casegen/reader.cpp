@@ -9,6 +9,8 @@
 #include "nearest_name.hpp"
 #include "plain_text.hpp"
 #include "schema.hpp"
+#include "shown.hpp"
+#include "syntax_hint.hpp"
 #include "value_reader.hpp"
 
 namespace fixdem::casegen {
@@ -65,19 +67,25 @@ class Reader {
     std::vector<std::string> names{"title"};
     for (const auto& table : tables())
       if (table.name != "start.particle") names.push_back(table.name);
-    const std::string nearest = nearest_name(name, names);
+    const std::string nearest = nearest_known(name, names);
     misspelt_.insert(nearest);
-    report_.error(place, fmt::format("unknown table or key '{}' at the top of the file", name),
+    report_.error(place, fmt::format("unknown table or key '{}' at the top of the file", shown(name)),
                   suggestion(nearest, home_of(name), names));
   }
 
   /// Returns the key that was probably meant, so that it is not reported as missing as well; or "".
   std::string refuse_unknown_key(const std::string& table, const std::string& name, Place place) {
     const auto names = names_in(table);
-    std::string nearest = nearest_name(name, names);
-    report_.error(place, fmt::format("unknown key '{}' in {}", name, table_title(table)),
+    std::string nearest = nearest_known(name, names);
+    report_.error(place, fmt::format("unknown key '{}' in {}", shown(name), table_title(table)),
                   suggestion(nearest, home_of(name), names));
     return nearest;
+  }
+
+  /// For the first unknown names: after so many something else is wrong than the spelling.
+  std::string nearest_known(const std::string& name, const std::vector<std::string>& names) {
+    constexpr int most = 100;
+    return ++unknown_ <= most ? nearest_name(name, names) : "";
   }
 
   /// The tables that do have a key of this name.
@@ -173,8 +181,15 @@ class Reader {
     const std::string name = prefix + rule.name;
     reading_.given[name] = {place_of(key.source()), place_of(node.source()), written(node)};
     const std::string problem = assign(rule, node, record);
-    if (problem.empty()) return;
     const std::string where = rule.table.empty() ? "at the top of the file" : "in " + table_title(rule.table);
+    if (problem.empty()) {
+      if (!rule.is_plausible(record))
+        report_.warning(place_of(node.source()),
+                        fmt::format("{} = {} {} is not plausible; plausible: {} {}", rule.name, written(node), where,
+                                    rule.plausible(), rule.unit),
+                        rule.advice + "; if the value is meant, leave it");
+      return;
+    }
     report_.error(place_of(node.source()),
                   fmt::format("{} = {} {} {}; allowed: {}", rule.name, written(node), where, problem, rule.allowed()),
                   rule.advice);
@@ -183,6 +198,7 @@ class Reader {
 
   Reading& reading_;
   Report& report_;
+  int unknown_ = 0;
   std::set<std::string> misspelt_;  // tables that were probably meant by an unknown name
 };
 
@@ -208,19 +224,18 @@ std::string Reading::quote(const std::string& key) const {
 
 Reading read_case(std::string_view text, std::string_view file, Report& report) {
   Reading reading;
-  if (const auto stray = find_stray_letter(text)) {
-    report.error(*stray, "a character that is not ASCII outside texts and comments; allowed: plain letters and signs",
-                 "type it anew: it may be a dash, blank or quotation mark copied from a document");
+  if (const auto objection = objection_to(text)) {
+    report.error(objection->place, objection->message, objection->advice);
     return reading;
   }
-  const std::string no_toml = "this is not TOML: one key = value to a line, texts in double quotes, tables as [name]";
   try {
     const toml::table root = toml::parse(text, file);
     Reader(reading, report).read(root);
   } catch (const toml::parse_error& error) {
-    report.error(place_of(error.source()), std::string(error.description()), no_toml);
+    const Place place = place_of(error.source());
+    report.error(place, shown(error.description(), 200), syntax_hint(text, place, error.description()));
   } catch (const std::invalid_argument&) {
-    report.error({}, "the file cannot be parsed, for a reason that the parser does not tell", no_toml);
+    report.error({}, "the file cannot be parsed, for a reason that the parser does not tell", syntax_hint("", {}, ""));
   }
   return reading;
 }

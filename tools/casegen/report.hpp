@@ -1,10 +1,13 @@
 // Errors and warnings of one case file, collected so that a single pass names everything there is to correct.
 //
-// Printed in the order of the file as `file:line:column: error: message`, with advice on a second, indented line.
+// Printed in the order of the file as `file:line:column: error: message`, with advice on a second, indented line. Of
+// many with the same advice the first few are kept and the others counted, so that a report is short however long the
+// file.
 #pragma once
 
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -29,6 +32,7 @@ class Report {
 
   int errors() const { return errors_; }
   std::string first_error() const;  ///< without its advice; empty when there is none
+  std::string text() const;
   void print(std::FILE* stream) const;
 
  private:
@@ -36,12 +40,18 @@ class Report {
     Place place;
     bool is_error;
     std::string message, advice;
+    int others = 0;  ///< with the same advice, which are not kept
   };
   void add(Place place, bool is_error, std::string message, std::string advice);
   std::vector<Entry> sorted() const;
 
   std::string file_;
   std::vector<Entry> entries_;
+  struct Kind {
+    int count = 0;
+    std::size_t last_kept = 0;
+  };
+  std::map<std::string, Kind> kinds_;  // by advice
   int errors_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fixdem::casegen {
@@ -101,20 +102,39 @@ std::string Rule<Record>::type() const {
 
 template <class Record>
 std::string Rule<Record>::allowed() const {
-  return std::visit(Overloaded{[](const Real<Record>& real) {
-                                 return real.range.describe() + (real.infinity_allowed ? ", or inf" : "");
-                               },
-                               [](const Whole<Record>& whole) { return whole.range.describe(); },
-                               [](const Flag<Record>&) { return std::string("true, false"); },
-                               [](const Text<Record>&) { return std::string("a text in double quotes"); },
-                               [](const Choice<Record>& choice) {
-                                 std::vector<std::string> words;
-                                 for (const auto& option : choice.options) words.push_back(quoted(option));
-                                 return fmt::format("{}", fmt::join(words, ", "));
-                               },
-                               [](const Vector<Record>&) { return std::string("[x, y, z], three finite numbers"); },
-                               [](const Memory<Record>&) { return std::string("a whole number and B, KiB or MiB"); }},
-                    binding);
+  return std::visit(
+      Overloaded{
+          [](const Real<Record>& real) { return real.range.describe() + (real.infinity_allowed ? ", or inf" : ""); },
+          [](const Whole<Record>& whole) { return whole.range.describe(); },
+          [](const Flag<Record>&) { return std::string("true, false"); },
+          [](const Text<Record>&) { return fmt::format("one line in double quotes, at most {} bytes", longest_text); },
+          [](const Choice<Record>& choice) {
+            std::vector<std::string> words;
+            for (const auto& option : choice.options) words.push_back(quoted(option));
+            return fmt::format("{}", fmt::join(words, ", "));
+          },
+          [](const Vector<Record>&) { return std::string("[x, y, z], three finite numbers"); },
+          [](const Memory<Record>&) { return std::string("a whole number and B, KiB or MiB"); }},
+      binding);
+}
+
+template <class Record>
+std::string Rule<Record>::plausible() const {
+  const auto* real = std::get_if<Real<Record>>(&binding);
+  const auto* vector = std::get_if<Vector<Record>>(&binding);
+  const Range range = real != nullptr ? real->plausible : vector != nullptr ? vector->plausible : any;
+  return std::isfinite(range.low) || std::isfinite(range.high) ? range.describe() : "";
+}
+
+template <class Record>
+bool Rule<Record>::is_plausible(const Record& record) const {
+  if (const auto* real = std::get_if<Real<Record>>(&binding)) {
+    const double value = record.*real->member;
+    return std::isinf(value) || real->plausible.contains(value);
+  }
+  const auto* vector = std::get_if<Vector<Record>>(&binding);
+  return vector == nullptr ||
+         std::ranges::all_of(record.*vector->member, [&](double x) { return vector->plausible.contains(x); });
 }
 
 template <class Record>

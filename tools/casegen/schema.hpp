@@ -17,6 +17,8 @@
 
 namespace fixdem::casegen {
 
+inline constexpr std::size_t longest_text = 500;  // bytes
+
 /// An interval of numbers. Infinity is never inside, unless a key allows it explicitly.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
@@ -32,10 +34,12 @@ constexpr Range positive{0, std::numeric_limits<double>::infinity(), false, true
 constexpr Range not_negative{0, std::numeric_limits<double>::infinity(), true, true};
 constexpr Range between(double low, double high) { return {low, high, true, true}; }
 
+/// A value outside the plausible range is warned of: a unit may have been mistaken.
 template <class Record>
 struct Real {
   double Record::*member;
   Range range;
+  Range plausible = any;
   bool infinity_allowed = false;
 };
 template <class Record>
@@ -59,6 +63,7 @@ struct Choice {
 template <class Record>
 struct Vector {
   Vector3 Record::*member;
+  Range plausible = any;  ///< of each component
 };
 /// A text like "256 KiB", or a whole number of bytes.
 template <class Record>
@@ -70,7 +75,9 @@ struct Memory {
 template <class Record>
 Real(double Record::*, Range) -> Real<Record>;
 template <class Record>
-Real(double Record::*, Range, bool) -> Real<Record>;
+Real(double Record::*, Range, Range) -> Real<Record>;
+template <class Record>
+Real(double Record::*, Range, Range, bool) -> Real<Record>;
 template <class Record>
 Whole(std::int64_t Record::*, Range) -> Whole<Record>;
 template <class Record>
@@ -81,6 +88,8 @@ template <class Record>
 Choice(std::string Record::*, std::vector<std::string>) -> Choice<Record>;
 template <class Record>
 Vector(Vector3 Record::*) -> Vector<Record>;
+template <class Record>
+Vector(Vector3 Record::*, Range) -> Vector<Record>;
 template <class Record>
 Memory(std::int64_t Record::*) -> Memory<Record>;
 
@@ -105,8 +114,10 @@ struct Rule : Key {
                                Memory<Record>>;
   Binding binding;
 
-  std::string type() const;           ///< "real number", "whole number", ...
-  std::string allowed() const;        ///< "above 0 and at most 1", "\"hertz\", \"linear\""
+  std::string type() const;       ///< "real number", "whole number", ...
+  std::string allowed() const;    ///< "above 0 and at most 1", "\"hertz\", \"linear\""
+  std::string plausible() const;  ///< "1e-06 to 0.5"; empty when nothing is warned of
+  bool is_plausible(const Record& record) const;
   std::string default_value() const;  ///< as written in TOML; empty when the key is required
 };
 

@@ -13,6 +13,7 @@
 #include "nearest_name.hpp"
 #include "report.hpp"
 #include "schema.hpp"
+#include "shown.hpp"
 #include "toml.hpp"
 
 namespace fixdem::casegen {
@@ -21,25 +22,30 @@ inline Place place_of(const toml::source_region& source) { return {source.begin.
 
 /// The value as TOML would write it, numbers in the shortest form that reads back exactly; cut when it is long.
 inline std::string written(const toml::node& node) {
+  constexpr std::size_t longest = 60;
   std::string text;
   if (const auto* real = node.as_floating_point()) {
     text = fmt::format("{}", real->get());
   } else if (const auto* string = node.as_string()) {
-    text = fmt::format("\"{}\"", string->get());
+    text = fmt::format("\"{}\"", shown(string->get(), longest));
   } else if (const auto* list = node.as_array()) {
-    for (const auto& entry : *list) text += (text.empty() ? "" : ", ") + written(entry);
+    for (const auto& entry : *list) {
+      if (text.size() > longest) break;
+      text += (text.empty() ? "" : ", ") + written(entry);
+    }
     text = "[" + text + "]";
   } else if (const auto* table = node.as_table()) {  // toml++ counts its digits beforehand, of 5e-5 minus three
-    for (const auto& [key, value] : *table)
-      text += (text.empty() ? "" : ", ") + fmt::format("{} = {}", key.str(), written(value));
+    for (const auto& [key, value] : *table) {
+      if (text.size() > longest) break;
+      text += (text.empty() ? "" : ", ") + fmt::format("{} = {}", shown(key.str(), longest), written(value));
+    }
     text = "{" + text + "}";
   } else {
     std::ostringstream stream;
     node.visit([&](const auto& value) { stream << value; });
     text = stream.str();
   }
-  constexpr std::size_t longest = 60;
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+  return shown(text, longest);
 }
 
 inline std::string written_type(const toml::node& node) {
@@ -72,13 +78,22 @@ inline bool read_real(const toml::node& node, double& value) {
   return true;
 }
 
+/// Whether products of some such numbers, such as a mass, can be computed with.
+inline bool has_usable_size(double value) {
+  return value == 0 || std::isinf(value) || (std::abs(value) >= 1e-50 && std::abs(value) <= 1e50);
+}
+constexpr const char* unusable_size = "cannot be computed with: sizes go from 1e-50 to 1e50";
+
 template <class Record>
 std::string assign(const Real<Record>& real, const toml::node& node, Record& record) {
   double value = 0;
-  if (!read_real(node, value)) return fmt::format("is {}, but must be a number", written_type(node));
+  if (!read_real(node, value))
+    return fmt::format("is {}, but must be a number{}", written_type(node),
+                       node.is_string() ? ", without quotes and unit" : "");
   if (std::isnan(value)) return "is not a number";
   const bool allowed_infinity = real.infinity_allowed && std::isinf(value) && value > 0;
   if (!real.range.contains(value) && !allowed_infinity) return std::isinf(value) ? "must be finite" : "is out of range";
+  if (!has_usable_size(value)) return unusable_size;
   record.*real.member = value;
   return "";
 }
@@ -86,7 +101,13 @@ std::string assign(const Real<Record>& real, const toml::node& node, Record& rec
 template <class Record>
 std::string assign(const Whole<Record>& whole, const toml::node& node, Record& record) {
   const auto* value = node.as_integer();
-  if (value == nullptr) return fmt::format("is {}, but must be a whole number", written_type(node));
+  if (value == nullptr) {
+    const auto* real = node.as_floating_point();
+    const bool is_whole = real != nullptr && std::abs(real->get()) < 1e15 && std::trunc(real->get()) == real->get();
+    return is_whole ? fmt::format("is written with a point or an exponent, but must be a whole number: write {:.0f}",
+                                  real->get())
+                    : fmt::format("is {}, but must be a whole number", written_type(node));
+  }
   if (!whole.range.contains(static_cast<double>(value->get()))) return "is out of range";
   record.*whole.member = value->get();
   return "";
@@ -105,6 +126,8 @@ std::string assign(const Text<Record>& text, const toml::node& node, Record& rec
   const auto* value = node.as_string();
   if (value == nullptr) return fmt::format("is {}, but must be a text", written_type(node));
   if (value->get().empty()) return "is empty";
+  if (value->get().size() > longest_text) return fmt::format("has {} bytes", value->get().size());
+  if (has_control_characters(value->get())) return "has line breaks or other control characters in it";
   record.*text.member = value->get();
   return "";
 }
@@ -132,6 +155,7 @@ std::string assign(const Vector<Record>& vector, const toml::node& node, Record&
     if (!read_real((*values)[axis], result[axis]))
       return fmt::format("has {} in it, but must have three numbers", written_type((*values)[axis]));
     if (!std::isfinite(result[axis])) return "must be finite";
+    if (!has_usable_size(result[axis])) return unusable_size;
   }
   record.*vector.member = result;
   return "";
