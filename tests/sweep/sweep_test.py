@@ -78,6 +78,11 @@ class Points(WithPlan):
         self.assertEqual(plan.jobs[job.start].options, ["--seed", "2"])
         self.assertEqual(plan.cases[job.program]["start"]["from"], "fill_1000-count_500")
 
+    def test_the_case_that_it_starts_from_may_be_a_path(self):
+        plan = self.plan(PLUG + '[set]\nstart.from = "../cases/fill_1000.toml"\n[vary]\nstart.seed = [1, 2]')
+        self.assertEqual(plan.jobs["plug_u24-seed_2"].start, "fill_1000-seed_2")
+        self.assertEqual(plan.cases["plug_u24"]["start"]["from"], "fill_1000")
+
     def test_a_key_with_the_name_of_a_case_goes_to_that_alone(self):
         plan = plan_of(read_sweep(SMALL, CASES))
         fill, plug = plan.cases["fill_1000"], plan.cases["plug_u24-bulk_velocity_2p4"]

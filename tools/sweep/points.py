@@ -67,16 +67,17 @@ def chain_of(sweep, base_case, start_from):
     """The base case and those that it starts from: [(name, contents)]."""
     chain, folder = [(sweep.base.stem, base_case)], sweep.base.parent
     while start_from is not None:
-        path = Path(folder, f"{start_from}.toml")
-        if not path.is_file() or start_from in [name for name, _ in chain]:
+        path = Path(folder, f"{str(start_from).removesuffix('.toml')}.toml")  # a name, or a path from the case's folder
+        if not path.is_file() or path.stem in [name for name, _ in chain]:
             refuse(
                 sweep.path,
                 "base",
                 f"{chain[-1][0]} starts from '{start_from}': there is no case file {path}, or it leads round in a circle",
-                "put the case that it starts from into the same folder",
+                "write the name of a case in the same folder, or the path of one from there; each of another name",
             )
         case = read_toml(path)
-        chain.append((start_from, case))
+        chain.append((path.stem, case))
+        folder = path.parent
         start_from = case.get("start", {}).get("from") if isinstance(case.get("start", {}), dict) else None
     return chain
 
