@@ -54,7 +54,7 @@ TEST_CASE("casegen quotes names and values in part when they are long") {
   check_short(with("\"hertz\"", "\"" + longer + "\""), {"normal = \"restitution", "is unknown"});
   check_short(with("count = 2", "count = [" + repeated("1, ", 100000) + "]"), {"count = [1, 1, ", "...", "a list"});
   check_short(with("count = 2", "count = {a = \"" + longer + "\", b = 2}"), {"count = {", "a table"});
-  check_short(with("seed = 3", "seed = " + repeated("3", 100000)), {"error", "the number is too long"});
+  check_short(with("seed = 3", "seed = " + repeated("3", 100000)), {"error", "numeric value too long"});
   check_short(with("seed = 3", longer + " = 3\n" + longer + " = 4"), {"error", "stands in the file twice"});
   check_short(with("A good case", longer), {"title", "has 1100000 bytes", "at most 500 bytes"});
   check_short(with("A good case", "A\\u001b[2Jcase"), {"title = \"A\\x1b[2Jcase\"", "control characters"});
@@ -102,7 +102,12 @@ TEST_CASE("casegen's advice on lines that are not TOML names the slip") {
       {"0.010\ndensity", "1/100\ndensity", "no arithmetic"},
       {"2.0e-6", "2.0*10^-6", "power of ten with e"},
       {"seed = 3", "seed = 007", "leading zeros"},
-      {"seed = 3", "seed = 99999999999999999999", "the number is too long"},
+      {"0.010\ndensity", "0.010\ndensity == 1", "one equals sign"},
+      {"density = 1000.0", "density = 1,000.0", "nothing between thousands"},
+      {"2.0e-6", "0x1p-19", "a decimal number"},
+      {"2.0e-6", "1e400", "the number is too large"},
+      {"count = 2", "count = inf", "no finite number, but must be a whole number"},
+      {"seed = 3", "seed = 99999999999999999999", "the number is too large: whole ones go to"},
       {"seed = 3", "seed =", "the value is missing"},
       {"seed = 3", "seed = 3\nseed = 3", "stands in the file twice"},
       {"[run]", "[pipe]\n[run]", "stands in the file twice"},

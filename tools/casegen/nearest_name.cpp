@@ -12,8 +12,8 @@ namespace {
 int tolerated(std::string_view candidate) { return std::max(1, static_cast<int>(candidate.size()) / 3); }
 
 bool comparable(std::string_view name, std::string_view candidate) {
-  const auto [shorter, longer] = std::minmax(name.size(), candidate.size());
-  return longer - shorter <= static_cast<std::size_t>(tolerated(candidate));
+  const std::size_t a = name.size(), b = candidate.size();
+  return (a > b ? a - b : b - a) <= static_cast<std::size_t>(tolerated(candidate));
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ inline std::string written_type(const toml::node& node) {
     case toml::node_type::integer:
       return "a whole number";
     case toml::node_type::floating_point:
-      return "a number with a point";
+      return std::isfinite(node.as_floating_point()->get()) ? "a number with a point" : "no finite number";
     case toml::node_type::boolean:
       return "true or false";
     default:
