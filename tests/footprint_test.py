@@ -16,8 +16,9 @@ from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(root / "tools" / "footprint"))
+sys.path[:0] = [str(root / "tests"), str(root / "tools" / "footprint")]
 
+from counted import write_count  # noqa: E402
 from footprint import STRIPS  # noqa: E402
 from measuring import Calls, instructions_per_particle_step, output, size  # noqa: E402
 
@@ -75,8 +76,7 @@ def main():
     compiler = [part for part in sys.argv[3:] if "sanitize" not in part]
     suite = unittest.defaultTestLoader.loadTestsFromTestCase(Footprint)
     result = unittest.TextTestRunner(verbosity=0).run(suite)
-    bad = len(result.failures) + len(result.errors)
-    count_file.write_text(f"{result.testsRun - bad} {bad}\n")
+    write_count(result, count_file)
     return 0 if result.wasSuccessful() else 1
 
 

@@ -71,6 +71,7 @@ quick_frontier() {
     --state "$FRONTIER/run/final.fixdem" --out "$FRONTIER/report" --jobs "$cores" &&
     tests/frontier_test.py "$FRONTIER" "$reports/quick_frontier.count"
 }
+run_part counted_test.py tests/counted_test.py "$reports/counted_test.py.count"
 run_part freestanding_test.py tests/freestanding_test.py "$reports/freestanding_test.py.count" "$build/freestanding" "$@"
 run_part footprint_test.py tests/footprint_test.py "$reports/footprint_test.py.count" "$build/footprint-test" "$@"
 run_part peers_test.py tests/peers_test.py "$reports/peers_test.py.count"
