@@ -1,4 +1,13 @@
-// Energies that contacts dissipate, summed while the contact loop runs; nothing in a case without ledger.
+// Energies that contacts take and make, summed while the contact loop runs; nothing in a case without ledger.
+//
+// A force F that acts over a step of length dt changes the kinetic energy by exactly F.(v + v')/2 dt, v and v' the
+// velocities before and after the step. Booked are, with u the surface velocity and a bar for the mean of before and
+// after, as far as this contact changes it (what other contacts do to it meanwhile is not known here):
+//   damping   D.u dt with its mean, D the force of both dampings;
+//   sliding   (s + s')/2 . (slip that the spring did not take up), s and s' the spring's force now and a step ago;
+//   law       the change of the spring's energy s^2 / (2 k_t), less the work (s + s')/2 . slip done on it, plus what
+//             sliding took: what the law makes (above zero) or loses because k_t follows the overlap.
+// For conservative forms all three are of second order in the step; what other contacts change is of first order.
 //
 // Per lane of a batch, in double always, so that the sums do not depend on how many lanes the machine has. Lanes behind
 // the last contact of a range repeat that contact (listing.hpp): the ledger is the only one that must not see them.
@@ -13,12 +22,15 @@ namespace fixdem {
 template <class Case, int W, bool present = Case::energy_ledger>
 struct BookedEnergy {
   static constexpr int lanes = Capacity<Case>::batch, doubles = is_mixed<Case> && W > 1 ? W / 2 : W;
-  Partials<doubles, lanes> damping_power, sliding_work;
+  Partials<doubles, lanes> damping_power, sliding_work, law_work;
   FIXDEM_INLINE explicit BookedEnergy(const Watch<Case>& watch)
-      : damping_power(watch.ledger.damping_power), sliding_work(watch.ledger.sliding_work) {}
+      : damping_power(watch.ledger.damping_power),
+        sliding_work(watch.ledger.sliding_work),
+        law_work(watch.ledger.law_work) {}
   FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
     damping_power.put_back(watch.ledger.damping_power);
     sliding_work.put_back(watch.ledger.sliding_work);
+    law_work.put_back(watch.ledger.law_work);
   }
   /// Of W contacts from `lane` of their batch on, the first `valid`: lanes behind the last contact of a range repeat
   /// it.
@@ -27,6 +39,7 @@ struct BookedEnergy {
     const auto counts = load<V>(lane_numbers) < splat<V>(valid);
     add(damping_power, lane, keep(counts, f.damping_power));
     add(sliding_work, lane, keep(counts, f.sliding_work));
+    add(law_work, lane, keep(counts, f.law_work));
   }
 
  private:

@@ -15,6 +15,8 @@
 
 #include "case.hpp"
 #include "exact_slider.hpp"
+#include "spring_energy.hpp"
+#include "springs.hpp"
 
 namespace fixdem {
 
@@ -23,7 +25,8 @@ template <class Case, bool is_wall>
 struct ContactLaw {
   using D = Derived<Case>;
   static constexpr double scale = Case::time_step / D::mass;
-  static constexpr double bodies = is_wall ? 1 : 2;  ///< that the force moves
+  static constexpr double bodies = is_wall ? 1 : 2;       ///< that the force moves
+  static constexpr double bodies_of_slip = 3.5 * bodies;  ///< a tangential force changes the spin, too: 1 + r^2 m / I
   static constexpr double stiffness = scale * (is_wall ? D::stiffness_wall : D::stiffness_pair);
   static constexpr double tangential_stiffness =
       scale * (is_wall ? D::tangential_stiffness_wall : D::tangential_stiffness_pair);
@@ -32,71 +35,43 @@ struct ContactLaw {
       scale * (is_wall ? D::tangential_damping_wall : D::tangential_damping_pair);
 
   /// Numbers kept per contact and lane, and their places. With friction: the vector of the spring; with `impulse` that
-  /// of the last surface velocity; with `rescale` the last k_t; with `exact` the last limit of the spring. With
-  /// `impulse`, friction or not, the last value of the damping's state function.
+  /// of the last surface velocity; with `rescale` or an energy ledger the last k_t; with `exact` the last limit of the
+  /// spring. With `impulse`, friction or not, the last value of the damping's state function.
   static constexpr int history_vectors = !D::has_friction ? 0 : (takes_impulses<Case> ? 2 : 1);
   static constexpr int state_function_place = 3 * history_vectors;
   static constexpr int stiffness_place = state_function_place + (takes_impulses<Case> ? 1 : 0);
   static constexpr int limit_place =
-      stiffness_place + (D::has_friction && Case::tangential == TangentialLaw::rescale ? 1 : 0);
+      stiffness_place +
+      (D::has_friction && (Case::tangential == TangentialLaw::rescale || Case::energy_ledger) ? 1 : 0);
   static constexpr int history_size = limit_place + (D::has_friction && Case::slider == Slider::exact ? 1 : 0);
 };
 
 template <class Case>
 inline constexpr bool keeps_history = ContactLaw<Case, false>::history_size > 0;
 
-/// Stiffness and damping of a contact at its present overlap.
-template <class V>
-struct Springs {
-  V repulsion;             ///< K overlap^(3/2), scaled
-  V damping;               ///< eta, scaled
-  V tangential_stiffness;  ///< k_t, scaled
-};
+/// Whether a contact that has opened is computed once more: for the rest of its impulse, or to book what its spring
+/// held.
+template <class Case>
+inline constexpr bool looks_back = takes_impulses<Case> || (Case::energy_ledger && Derived<Case>::has_friction);
 
 /// What a contact remembers.
 template <class V>
 struct History {
   Vec3<V> spring;                 ///< tangential displacement, or scaled spring force
-  V last_tangential_stiffness{};  ///< `rescale` only
+  V last_tangential_stiffness{};  ///< `rescale` and energy ledger only; zero: none yet
   V last_limit{};                 ///< `exact` only: greatest length of the spring in the last step if it slid, or zero
   Vec3<V> last_velocity{};        ///< `impulse` only: surface velocity in the last step, m/s
   V state_function{};             ///< `impulse` only: of the damping at the end of the last step
 };
 
-/// Scaled force on the owner, and what it dissipated in this step (only computed when the case keeps a ledger).
+/// Scaled force on the owner, and the entries of this step in the ledger (booked_energy.hpp), where the case keeps one.
 template <class V>
 struct ContactForce {
   Vec3<V> force;
   V damping_power{};  ///< scaled force times velocity
   V sliding_work{};   ///< scaled force times displacement
+  V law_work{};       ///< likewise; what the tangential law makes
 };
-
-/// What the springs follow from: the repulsion, and the root of the overlap (linear law: one where there is overlap).
-template <class V>
-struct SpringBase {
-  V repulsion, root;
-};
-
-/// From the overlap [m]; zero where there is none.
-template <class Law, class Case, class V>
-FIXDEM_INLINE SpringBase<V> spring_base(V overlap) {
-  if constexpr (Derived<Case>::is_hertz) {
-    const V root = sqrt(overlap);
-    return {constant<V>(Law::stiffness) * overlap * root, root};
-  } else {
-    return {constant<V>(Law::stiffness) * overlap, keep(overlap > V{}, splat<V>(1.0))};
-  }
-}
-
-/// Stiffness and damping; zero where there is no overlap.
-template <class Law, class Case, class V>
-FIXDEM_INLINE Springs<V> springs(const SpringBase<V>& base) {
-  const V root = base.root;
-  if constexpr (Derived<Case>::is_hertz)
-    return {base.repulsion, constant<V>(Law::damping) * sqrt(root), constant<V>(Law::tangential_stiffness) * root};
-  else
-    return {base.repulsion, constant<V>(Law::damping) * root, constant<V>(Law::tangential_stiffness) * root};
-}
 
 /// Square of the share out of the tangent plane from which turning counts: it then shortens the kept vector by more
 /// than half a unit in the last place.
@@ -129,8 +104,8 @@ FIXDEM_INLINE TangentialSpring<V> tangential_spring(const Springs<V>& k, Mask to
   if constexpr (Case::tangential == TangentialLaw::rescale) {
     const auto unloading = k.tangential_stiffness < history.last_tangential_stiffness;
     s.ratio = select(unloading, k.tangential_stiffness / history.last_tangential_stiffness, s.ratio);
-    history.last_tangential_stiffness = k.tangential_stiffness;
   }
+  if constexpr (Law::limit_place > Law::stiffness_place) history.last_tangential_stiffness = k.tangential_stiffness;
   return s;
 }
 
@@ -144,10 +119,13 @@ struct Tangential {
 };
 
 /// `trial`: the kept vector, turned into the tangent plane and loaded by the slip, as if the contact stuck. `load`:
-/// slip that has loaded it; `slip`: that the damping sees (the same but with impulses).
-template <class Case, class V>
+/// slip that has loaded it; `slip`: that the damping sees, and `present_slip` (the same but with impulses).
+/// `last_force`: the spring's in the last step.
+template <class Law, class Case, class V>
 FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const Vec3<V>& trial, const Vec3<V>& load,
-                                             const Vec3<V>& slip, [[maybe_unused]] V last_limit, V limit) {
+                                             const Vec3<V>& slip, [[maybe_unused]] const Vec3<V>& present_slip,
+                                             [[maybe_unused]] V last_limit, [[maybe_unused]] const Vec3<V>& last_force,
+                                             V limit) {
   Tangential<V> t{};
   if constexpr (Case::slider != Slider::paper) {
     if constexpr (Case::slider == Slider::exact) {
@@ -173,10 +151,10 @@ FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const
   }
   if constexpr (Case::energy_ledger) {
     const Vec3<V> viscous = add_scaled(t.force, s.to_force, t.spring);  // what is not the spring's
-    t.damping_power = -dot(viscous, slip);
+    t.damping_power = -dot(viscous, add_scaled(present_slip, splat<V>(Law::bodies_of_slip / 2), t.force));
     const Vec3<V> slid = {trial.x - t.spring.x, trial.y - t.spring.y, trial.z - t.spring.z};
-    t.sliding_work =
-        dot(t.spring, slid) * (s.to_force * constant<V>(Case::time_step) / s.gain);  // force times displacement
+    t.sliding_work = dot(add_scaled(last_force, s.to_force, t.spring), slid) *
+                     (constant<V>(Case::time_step / 2) / s.gain);  // mean of both forces times displacement
   }
   return t;
 }
@@ -245,9 +223,13 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
   const Vec3<V>& u = surface_velocity;
   const V normal_force = fused(k.damping, damped_velocity, k.repulsion);  // repulsive positive
   is_done = true;
+  // In the middle of the step, as far as this contact changes it.
+  [[maybe_unused]] const V mean_velocity = fused_minus(splat<V>(Law::bodies / 2), normal_force, normal_velocity);
   if constexpr (!Derived<Case>::has_friction) {
-    return {scale(-normal_force, n), k.damping * damped_velocity * normal_velocity, V{}};
+    return {scale(-normal_force, n), k.damping * damped_velocity * mean_velocity};
   } else {
+    [[maybe_unused]] const LastSpring<V> before =
+        last_spring<Case>(history.spring, history.last_tangential_stiffness, k.tangential_stiffness);
     const TangentialSpring<V> s = tangential_spring<Law, Case>(k, touching, history);
 
     // Sticking.
@@ -256,11 +238,13 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
       along_normal = fused_minus(s.damping, normal_velocity, normal_force);
     Vec3<V> spring = stuck_spring<Case, mode>(s, s.gain, history.spring, n, u, normal_velocity, touching);
     Vec3<V> force = subtract_scaled(subtract_scaled(scale(-along_normal, n), s.damping, u), s.to_force, spring);
-    V damping_power{}, sliding_work{};
-    if constexpr (Case::energy_ledger)
-      damping_power = fused(
-          s.damping, dot(u, u),
-          fused_minus(s.damping, normal_velocity * normal_velocity, k.damping * damped_velocity * normal_velocity));
+    V damping_power{}, sliding_work{}, law_work{};
+    if constexpr (Case::energy_ledger) {
+      const V power = fused(normal_velocity, normal_force, dot(u, force));  // of the tangential force
+      const V square = fused_minus(normal_velocity, normal_velocity, dot(u, u));
+      damping_power = fused(s.damping, fused(splat<V>(Law::bodies_of_slip / 2), power, square),
+                            k.damping * damped_velocity * mean_velocity);
+    }
 
     // Sliding.
     const auto exceeds = exceeds_friction<Case>(force, s.to_force, spring, normal_force);
@@ -269,20 +253,21 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
       is_done = !any(exceeds);
     } else if (const auto slides = exceeds & touching; any(slides)) {
       const Vec3<V> slip = subtract_scaled(u, normal_velocity, n);
-      const Tangential<V> t = tangential_force<Case>(s, spring, slip, slip, history.last_limit,
-                                                     constant<V>(Case::friction) * abs(normal_force));
+      const Tangential<V> t = tangential_force<Law, Case>(s, spring, slip, slip, slip, history.last_limit, before.force,
+                                                          constant<V>(Case::friction) * abs(normal_force));
       force = select(slides, subtract_scaled(t.force, normal_force, n), force);
       spring = select(slides, t.spring, spring);
       if constexpr (Case::slider == Slider::exact) last_limit = keep(slides, t.last_limit);
       if constexpr (Case::energy_ledger) {
         damping_power =
-            select(slides, fused(k.damping * damped_velocity, normal_velocity, t.damping_power), damping_power);
+            select(slides, fused(k.damping * damped_velocity, mean_velocity, t.damping_power), damping_power);
         sliding_work = keep(slides, t.sliding_work);
       }
     }
+    if constexpr (Case::energy_ledger) law_work = work_of_law<Case>(before, spring, k.tangential_stiffness, touching);
     history.spring = {keep(touching, spring.x), keep(touching, spring.y), keep(touching, spring.z)};
     if constexpr (Case::slider == Slider::exact) history.last_limit = last_limit;
-    return {force, damping_power, sliding_work};
+    return {force, damping_power, sliding_work, law_work};
   }
 }
 

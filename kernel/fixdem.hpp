@@ -149,6 +149,7 @@ class Simulation {
       for (const Watch<Case>& watch : s_.watch) {
         e.dissipated_damping += D::mass * sum_of(watch.ledger.damping_power);
         e.dissipated_sliding += D::mass / Case::time_step * sum_of(watch.ledger.sliding_work);
+        e.made_by_law += D::mass / Case::time_step * sum_of(watch.ledger.law_work);
         e.gas_work += D::mass * sum_of(watch.ledger.gas_work);
       }
     }

@@ -38,7 +38,6 @@ inline constexpr double found_at_start = -1;
 template <class V>
 struct NormalImpulse {
   V total, damping;      ///< along -n
-  V mean_velocity;       ///< of the contact alone, m/s
   V tangential_damping;  ///< mean of eta (of the normal law)
   V share_of_step;       ///< during which the spring grows
   V state_function;      ///< G, without its factor (4/5) eta_0
@@ -64,7 +63,6 @@ FIXDEM_INLINE NormalImpulse<V> normal_impulse(const OverlapRoots<V>& at, V veloc
   const V change = keep(pressed, resisted_velocity - velocity);  // (v' - v)/2
 
   NormalImpulse<V> p;
-  p.mean_velocity = velocity + change;
   const V way_before = constant<V>(half_step) * velocity;
   const V way_after = constant<V>(half_step) * fused(splat<V>(2), change, velocity);
   const V way_of_state = constant<V>(half_step) * fused(state_weight, change, velocity);
@@ -122,14 +120,16 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
   const Mask pressed = at.overlap > V{}, known = history.state_function > V{}, touching = pressed | known;
   const NormalImpulse<V> p =
       normal_impulse<Law, Case, mode>(at, normal_velocity, history.state_function, pressed, touching, is_done);
-  const V normal_power = p.damping * p.mean_velocity;
+  [[maybe_unused]] const V normal_power = p.damping * fused_minus(splat<V>(Law::bodies / 2), p.total, normal_velocity);
   history.state_function = p.state_function;
   if constexpr (!Derived<Case>::has_friction) {
-    return {scale(-p.total, n), normal_power, V{}};
+    return {scale(-p.total, n), normal_power};
   } else {
     V stiffness = keep(pressed, splat<V>(Law::tangential_stiffness));
     if constexpr (Derived<Case>::is_hertz) stiffness = constant<V>(Law::tangential_stiffness) * at.root;
     stiffness = stiffness * detail::square_of_sinc(constant<V>(0.875 * Law::bodies * Case::time_step) * stiffness);
+    [[maybe_unused]] const LastSpring<V> before =
+        last_spring<Case>(history.spring, history.last_tangential_stiffness, stiffness);
     const TangentialSpring<V> s =
         tangential_spring<Law, Case>(Springs<V>{V{}, p.tangential_damping, stiffness}, pressed, history);
     const V half = keep(known, splat<V>(0.5));
@@ -142,9 +142,13 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
         stuck_spring<Case, mode>(s, s.gain * p.share_of_step, history.spring, n, u, normal_velocity, pressed);
     Vec3<V> force = subtract_scaled(
         subtract_scaled(scale(fused(s.damping, middle_normal, -p.total), n), s.damping, middle), s.to_force, spring);
-    V damping_power{}, sliding_work{};
-    if constexpr (Case::energy_ledger)
-      damping_power = fused(s.damping, fused_minus(middle_normal, middle_normal, dot(middle, middle)), normal_power);
+    V damping_power{}, sliding_work{}, law_work{};
+    if constexpr (Case::energy_ledger) {  // the damping's force is of `middle`; it works on the mean of before and
+                                          // after
+      const Vec3<V> damped = subtract_scaled(middle, middle_normal, n);
+      const Vec3<V> mean = add_scaled(u, splat<V>(Law::bodies_of_slip / 2), force);
+      damping_power = fused(s.damping, dot(damped, mean), normal_power);
+    }
 
     const Mask slides = exceeds_friction<Case>(force, s.to_force, spring, p.total) & touching;
     [[maybe_unused]] V last_limit{};
@@ -152,8 +156,9 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
       is_done = is_done & !any(slides);
     } else if (any(slides)) {
       const Vec3<V> slip = scale(p.share_of_step, subtract_scaled(u, normal_velocity, n));
-      const Tangential<V> t = tangential_force<Case>(s, spring, slip, subtract_scaled(middle, middle_normal, n),
-                                                     history.last_limit, constant<V>(Case::friction) * abs(p.total));
+      const Tangential<V> t = tangential_force<Law, Case>(s, spring, slip, subtract_scaled(middle, middle_normal, n),
+                                                          subtract_scaled(u, normal_velocity, n), history.last_limit,
+                                                          before.force, constant<V>(Case::friction) * abs(p.total));
       force = select(slides, subtract_scaled(t.force, p.total, n), force);
       spring = select(slides, t.spring, spring);
       if constexpr (Case::slider == Slider::exact) last_limit = keep(slides & pressed, t.last_limit);
@@ -162,11 +167,12 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
         sliding_work = keep(slides & pressed, t.sliding_work);
       }
     }
+    if constexpr (Case::energy_ledger) law_work = work_of_law<Case>(before, spring, stiffness, pressed);
     history.spring = {keep(pressed, spring.x), keep(pressed, spring.y), keep(pressed, spring.z)};
     history.last_velocity = {keep(pressed, u.x), keep(pressed, u.y), keep(pressed, u.z)};
     if constexpr (Case::slider == Slider::exact) history.last_limit = last_limit;
     force = {keep(touching, force.x), keep(touching, force.y), keep(touching, force.z)};
-    return {force, damping_power, sliding_work};
+    return {force, damping_power, sliding_work, law_work};
   }
 }
 

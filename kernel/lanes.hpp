@@ -4,8 +4,8 @@
 // worked off in 8 / W parts. Lanes never mix within an operation, `fused` multiply-adds are written out and roots and
 // quotients are the hardware's correctly rounded ones, so every width gives the same bits (build with
 // -ffp-contract=off). Vector extensions carry the arithmetic; builtins and intrinsics stand only in lanes_x86.hpp
-// and lanes_neon.hpp, for what the extensions lack. Formulas are written once for both element types: a number in one is
-// `constant<V>(0.5)`, zero is `V{}`.
+// and lanes_neon.hpp, for what the extensions lack. Formulas are written once for both element types: a number in one
+// is `constant<V>(0.5)`, zero is `V{}`.
 #pragma once
 
 #include "lanes_type.hpp"

@@ -148,7 +148,7 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
           store(last_kick + column, kick);
       }
       if constexpr (Case::has_gas && Case::energy_ledger)
-        watch.gas_work.part[p] = fused(gas, moved, watch.gas_work.part[p]);
+        watch.gas_work.part[p] = fused(gas, fused(splat<V>(-0.5), kick, moved), watch.gas_work.part[p]);
     }
   }
   return entry;

@@ -37,6 +37,7 @@ struct Observation {
 struct Energy {
   double kinetic, elastic, dissipated_damping, dissipated_sliding, gravity_work, gas_work;
   double elastic_tangential;  ///< the part of `elastic` that tangential springs hold
+  double made_by_law;         ///< by the tangential law, whose stiffness follows the overlap; below zero: lost
 };
 
 namespace detail {

@@ -74,7 +74,7 @@ void sparse_contacts(const Side side, Batches& batches, int first, int count, Re
     Real<Case>* row = rows + (b - first) * lanes * width;
     for (int k = 0; k < lanes * width; k += W) store(row + k, V{});
     const unsigned now_touching = touching;
-    if constexpr (takes_impulses<Case>)  // one that has opened gets the rest of its impulse, and forgets by itself
+    if constexpr (looks_back<Case>)  // and it forgets by itself
       touching |= batches.touching[b] & within;
     else if constexpr (size > 0)  // a contact that has opened forgets
       for (unsigned opened = batches.touching[b] & ~touching; opened != 0; opened &= opened - 1)

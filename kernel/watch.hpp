@@ -16,6 +16,7 @@ template <class Case, bool present = Case::energy_ledger>
 struct Ledger {
   alignas(64) double damping_power[Capacity<Case>::batch];  ///< scaled force times velocity, over steps and contacts
   alignas(64) double sliding_work[Capacity<Case>::batch];   ///< scaled force times displacement
+  alignas(64) double law_work[Capacity<Case>::batch];       ///< likewise
   alignas(64) double gas_work[8];                           ///< scaled force times velocity
 };
 template <class Case>

@@ -123,6 +123,7 @@ Events check_agreement(const HandOver& state, const char* what, double tolerance
     CHECK(std::abs(a.kinetic - b.kinetic) <= energy_error);
     CHECK(std::abs(a.dissipated_damping - b.dissipated_damping) <= energy_error);
     CHECK(std::abs(a.dissipated_sliding - b.dissipated_sliding) <= energy_error);
+    CHECK(std::abs(a.made_by_law - b.made_by_law) <= energy_error);
     CHECK(std::abs(a.gravity_work - b.gravity_work) <= energy_error);
     CHECK(std::abs(a.gas_work - b.gas_work) <= energy_error);
   }

@@ -59,8 +59,8 @@ TEST_CASE("program: a short run of every shipped case") {
                    "stability", "energy", "capacity", "performance", "plug", "collision", "particles"});
     check_keys(s["final"], {"time", "kinetic_energy", "contacts", "coordination_number", "max_overlap", "max_speed",
                             "mean_axial_velocity", "mean_height", "state_hash"});
-    check_keys(s["energy"],
-               {"kinetic", "elastic", "elastic_tangential", "dissipated", "gravity_work", "gas_work", "balance_error"});
+    check_keys(s["energy"], {"kinetic", "elastic", "elastic_tangential", "dissipated", "dissipated_damping",
+                             "dissipated_sliding", "made_by_law", "gravity_work", "gas_work", "balance_error"});
     check_keys(s["performance"], {"wall_time", "particle_steps_per_second"});
     for (const auto& use : s["capacity"]) CHECK(use["high_water"] <= use["limit"]);
     CHECK(s["case"] == name);

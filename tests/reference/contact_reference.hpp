@@ -103,8 +103,9 @@ Coefficients<Scalar> wall_coefficients() {
 template <class Scalar>
 struct Memory {
   Vector<Scalar> history = Vector<Scalar>::Zero();
-  Scalar stiffness = 0;
-  Scalar limit = 0;  ///< `exact`: greatest length of the history in the step before, if it slid
+  Scalar stiffness = 0;      ///< zero: none yet
+  Scalar spring_energy = 0;  ///< held by the tangential spring after the step before, J
+  Scalar limit = 0;          ///< `exact`: greatest length of the history in the step before, if it slid
   // `impulse`: overlap^(5/4) (linear law: overlap) at the end of the step before, and the surface velocity in it. Below
   // zero: not looked at yet; zero: begins now.
   Scalar state = 0;
@@ -120,6 +121,7 @@ struct Encounter {
   Vector<Scalar> relative_velocity;
   Scalar predicted_normal_velocity;
   Vector<Scalar> spin_sum;  ///< omega_i + omega_j
+  int bodies;               ///< that the force moves: 2 between spheres, 1 at a wall
 };
 
 template <class Scalar>
@@ -130,7 +132,36 @@ struct ContactForce {
   Scalar elastic_energy = 0;
   Scalar damping_loss = 0;  ///< J during this step
   Scalar sliding_loss = 0;
+  Scalar made_by_law = 0;
 };
+
+// The ledger. A force works on the mean of the velocities before the step and after it, as far as this contact changes
+// them.
+template <class Case, class Scalar>
+Scalar mean_normal_velocity(const Encounter<Scalar>& at, Scalar normal_force) {
+  const Scalar M = sphere_properties<Case, Scalar>().mass / at.bodies;
+  return at.relative_velocity.dot(at.n) + normal_force / M * Scalar(Case::time_step) / 2;
+}
+template <class Case, class Scalar>
+Vector<Scalar> mean_slip(const Encounter<Scalar>& at, const Vector<Scalar>& slip, const Vector<Scalar>& force) {
+  const auto sphere = sphere_properties<Case, Scalar>();
+  const Scalar mobility = 1 / sphere.mass + sphere.radius * sphere.radius / sphere.moment_of_inertia;
+  return slip + force * at.bodies * mobility * Scalar(Case::time_step) / 2;
+}
+
+/// A tangential spring of force s now and `last_s` a step ago has been pulled along `way` (m), of which it let `slid`
+/// go. That takes the mean force times `slid`; what its energy has grown by beyond the work that is left, the law has
+/// made.
+template <class Scalar>
+void book_spring(const Vector<Scalar>& last_s, Scalar last_k_t, const Vector<Scalar>& s, Scalar k_t,
+                 const Vector<Scalar>& way, const Vector<Scalar>& slid, Memory<Scalar>& memory,
+                 ContactForce<Scalar>& out) {
+  const Vector<Scalar> mean = (last_s + s) / 2;
+  memory.spring_energy = s.squaredNorm() / (2 * k_t);
+  out.elastic_energy += memory.spring_energy;
+  out.sliding_loss = mean.dot(slid);
+  out.made_by_law = memory.spring_energy - last_s.squaredNorm() / (2 * last_k_t) - mean.dot(way) + out.sliding_loss;
+}
 
 /// Keeps a tangential vector in the tangent plane of the contact, at its length.
 template <class Scalar>
@@ -156,7 +187,7 @@ ContactForce<Scalar> contact_force(const Coefficients<Scalar>& c, const Encounte
   ContactForce<Scalar> out;
   out.normal_force = -spring - eta_n * at.predicted_normal_velocity;  // eqs. (6), (18)
   out.elastic_energy = spring * at.overlap * (hertz ? Scalar(2) / 5 : Scalar(1) / 2);
-  out.damping_loss = eta_n * at.predicted_normal_velocity * v_n * dt;
+  out.damping_loss = eta_n * at.predicted_normal_velocity * mean_normal_velocity<Case>(at, out.normal_force) * dt;
   if (Case::friction == 0) return out;
 
   const Vector<Scalar> slip = at.relative_velocity - v_n * at.n + r * at.spin_sum.cross(at.n);  // eq. (8)
@@ -192,13 +223,15 @@ ContactForce<Scalar> contact_force(const Coefficients<Scalar>& c, const Encounte
   } else {
     memory.history = s;
   }
+  const Scalar last_k_t = memory.stiffness > 0 ? memory.stiffness : k_t;
   memory.stiffness = k_t;
 
   out.tangential_force = f_t;
   out.torque = r * at.n.cross(f_t);
-  out.elastic_energy += s.squaredNorm() / (2 * k_t);
-  out.damping_loss += (-f_t - s).dot(slip) * dt;
-  out.sliding_loss = s.dot(trial_spring - s) / k_t;
+  const Vector<Scalar> last_s =
+      Case::tangential == TangentialLaw::displacement ? Vector<Scalar>(last_k_t * kept) : kept;
+  book_spring<Scalar>(last_s, last_k_t, s, k_t, slip * dt, (trial_spring - s) / k_t, memory, out);
+  out.damping_loss += (-f_t - s).dot(mean_slip<Case>(at, slip, f_t)) * dt;
   return out;
 }
 

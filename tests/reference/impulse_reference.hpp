@@ -34,10 +34,11 @@ Scalar mean_of_power(Scalar a, Scalar b, Scalar power) {
   return (integral(b) - integral(a)) / (b - a);
 }
 
-/// Mean forces during the step; advances the memory. `bodies`: 2 between spheres, 1 at a wall.
+/// Mean forces during the step; advances the memory.
 template <class Case, class Scalar>
-ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encounter<Scalar>& at, int bodies,
+ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encounter<Scalar>& at,
                                      Memory<Scalar>& memory) {
+  const int bodies = at.bodies;
   const Scalar dt = Case::time_step, half = dt / 2, mu = Case::friction;
   const auto sphere = sphere_properties<Case, Scalar>();
   const Scalar M = sphere.mass / bodies, d = at.overlap, v = at.relative_velocity.dot(at.n);
@@ -67,7 +68,7 @@ ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encoun
   const Scalar damping = c.normal_damping / (damping_power + 1) * (memory.state - state_before) / dt;
   out.normal_force = -c.normal_stiffness * time_mean(elastic_power, after) - damping;
   out.elastic_energy = spring * d / (elastic_power + 1);
-  out.damping_loss = damping * v_m * dt;
+  out.damping_loss = damping * mean_normal_velocity<Case>(at, out.normal_force) * dt;
   if (Case::friction == 0) return out;
 
   Scalar k_t = !pressed ? 0 : hertz ? c.tangential_stiffness * std::sqrt(d) : c.tangential_stiffness;
@@ -88,11 +89,17 @@ ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encoun
   Vector<Scalar> kept = turned_into_plane(memory.history, at.n);
   if (Case::tangential == TangentialLaw::rescale && k_t < memory.stiffness) kept *= k_t / memory.stiffness;
   const Scalar limit = mu * std::abs(out.normal_force);
+  const Scalar last_k_t = memory.stiffness > 0 ? memory.stiffness : k_t;
+  const Vector<Scalar> unrescaled = turned_into_plane(memory.history, at.n);
+  const Vector<Scalar> last_s = keeps_displacement ? Vector<Scalar>(last_k_t * unrescaled) : unrescaled;
   Vector<Scalar> h = Vector<Scalar>::Zero();
   if (pressed) {
     const Vector<Scalar> trial = kept + per_slip * grows * slip;
     h = spring_within_limit<Case, Scalar>(kept, per_slip * grows * slip, limit / to_force, memory.limit);
-    out.sliding_loss = to_force * h.dot(trial - h) / per_slip;
+    book_spring<Scalar>(last_s, last_k_t, to_force * h, k_t, grows * slip, (trial - h) / per_slip, memory, out);
+  } else {
+    out.made_by_law = -memory.spring_energy;
+    memory.spring_energy = 0;
   }
   const Vector<Scalar> s = (pressed ? to_force : Scalar(0)) * h;
   Vector<Scalar> f_t = -(s + eta_t * slip_in_middle);
@@ -103,8 +110,7 @@ ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encoun
 
   out.tangential_force = f_t;
   out.torque = sphere.radius * at.n.cross(f_t);
-  if (pressed) out.elastic_energy += s.squaredNorm() / (2 * k_t);
-  out.damping_loss += (-f_t - s).dot(slip_in_middle) * dt;
+  out.damping_loss += (-f_t - s).dot(mean_slip<Case>(at, slip, f_t)) * dt;
   return out;
 }
 

@@ -151,16 +151,17 @@ class Reference {
   ContactForce<Scalar> touch(Key key, const Coefficients<Scalar>& coefficients, Scalar overlap, const Vector3& n,
                              const Vector3& relative_velocity, const Vector3& predicted, const Vector3& spin_sum) {
     Touching& contact = contacts_[key];
-    const Encounter<Scalar> at{overlap, n, relative_velocity, predicted.dot(n), spin_sum};
+    const Encounter<Scalar> at{overlap, n, relative_velocity, predicted.dot(n), spin_sum, key.second >= 0 ? 2 : 1};
     if (Case::integrator == Integrator::impulse) {
       if (step_ == 0) contact.memory.state = -1;
-      contact.force = contact_impulse<Case>(coefficients, at, key.second >= 0 ? 2 : 1, contact.memory);
+      contact.force = contact_impulse<Case>(coefficients, at, contact.memory);
     } else {
       contact.force = contact_force<Case>(coefficients, at, contact.memory);
     }
     contact.n = n, contact.overlap = overlap, contact.last_step = step_;
     energy_.dissipated_damping += static_cast<double>(contact.force.damping_loss);
     energy_.dissipated_sliding += static_cast<double>(contact.force.sliding_loss);
+    energy_.made_by_law += static_cast<double>(contact.force.made_by_law);
     return contact.force;
   }
 
@@ -205,7 +206,11 @@ class Reference {
         touch_wall(i, upper_end, x.z() - (length - sphere.radius), Vector3(0, 0, 1));
       }
     }
-    std::erase_if(contacts_, [this](const auto& entry) { return entry.second.last_step != step_; });
+    std::erase_if(contacts_, [this](const auto& entry) {
+      if (entry.second.last_step == step_) return false;
+      energy_.made_by_law -= static_cast<double>(entry.second.memory.spring_energy);  // what the spring held is lost
+      return true;
+    });
   }
 
   /// A sphere floats when no other centre is within 1.1 d and it does not touch the lower half of the wall.
@@ -249,14 +254,15 @@ class Reference {
     Scalar greatest_way = 0;
     for (Sphere& s : spheres_) {
       s.acceleration = (s.force + s.gas_force) / sphere.mass + g;  // eq. (1)
-      s.v += s.acceleration * dt;                                  // eq. (3)
-      s.omega += s.torque / sphere.moment_of_inertia * dt;         // eqs. (2), (5)
+      const Vector3 old_v = s.v;
+      s.v += s.acceleration * dt;                           // eq. (3)
+      s.omega += s.torque / sphere.moment_of_inertia * dt;  // eqs. (2), (5)
       const Vector3 path = s.v * dt;
       s.x += path;  // eq. (4)
       greatest_way = std::max(greatest_way, path.norm());
       wrap(s);
       energy_.gravity_work += static_cast<double>(sphere.mass * g.dot(path));
-      energy_.gas_work += static_cast<double>(s.gas_force.dot(path));
+      energy_.gas_work += static_cast<double>(s.gas_force.dot((old_v + s.v) / 2) * dt);
     }
     near_.move(greatest_way);
   }

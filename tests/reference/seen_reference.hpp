@@ -22,6 +22,7 @@ struct Contact {
 
 struct Energy {
   double kinetic = 0, elastic = 0, dissipated_damping = 0, dissipated_sliding = 0, gravity_work = 0, gas_work = 0;
+  double made_by_law = 0;
 };
 
 constexpr int pipe_wall = -1, lower_end = -2, upper_end = -3;  ///< partner numbers of the walls

@@ -29,6 +29,9 @@ Json energy(const CaseFacts& facts, const Outcome& outcome) {
           {"elastic", number(e.elastic)},
           {"elastic_tangential", number(e.elastic_tangential)},
           {"dissipated", entry(dissipated(e))},
+          {"dissipated_damping", entry(e.dissipated_damping)},
+          {"dissipated_sliding", entry(e.dissipated_sliding)},
+          {"made_by_law", entry(e.made_by_law)},
           {"gravity_work", number(e.gravity_work)},
           {"gas_work", facts.has_gas ? entry(e.gas_work) : Json(nullptr)},
           {"balance_error", entry(balance_error(outcome.start_energy, e))}};

@@ -31,7 +31,7 @@ def verdicts(summary, log, case):
     error = summary["energy"]["balance_error"]
     if error is not None:
         rows.append(entry("energy balance", f"{100 * abs(error):.2g} % unaccounted", "for you to judge",
-                          "of the greatest term of the ledger below; falls with the time step, but for what springs of the displacement and force forms create"))  # fmt: skip
+                          "of the greatest term of the ledger below; falls with the time step"))  # fmt: skip
     fullest = max(summary["capacity"].items(), key=lambda item: item[1]["high_water"] / item[1]["limit"] if item[1]["limit"] and item[0] != "memory" else 0)
     use = fullest[1]
     rows.append(entry("fixed arrays", f"{fullest[0]}: {number(use['high_water'])} of {number(use['limit'])}", "room enough" if use["high_water"] <= use["limit"] else "too small",
@@ -63,7 +63,7 @@ def charts(log):
         ("Stationary layer", "", "", {"layer area ratio": "layer area ratio"}, "Solids fraction outside the plug over that inside."),
         ("Greatest overlap and time step", "", "log", {"max overlap / radius": "overlap over radius", "time step / stable step": "time step over the stable one"}, ""),
         ("Energy ledger", "J", "", {"gas work [J]": "work of the gas", "gravity work [J]": "work of gravity", "dissipated by damping [J]": "lost by damping",
-                                    "dissipated by sliding [J]": "lost by sliding", "kinetic": "kinetic", "elastic energy [J]": "elastic"}, ""),
+                                    "dissipated by sliding [J]": "lost by sliding", "made by the tangential law [J]": "made by the tangential law", "kinetic": "kinetic", "elastic energy [J]": "elastic"}, ""),
     ]  # fmt: skip
     found = []
     for title, unit, form, lines, note in every:
@@ -80,11 +80,11 @@ def ledger(summary, log):
     energy = summary["energy"]
     if energy["balance_error"] is None:
         return "<p>The case keeps no energy ledger.</p>"
-    last = {name: values[-1] for name, values in log.items()}
     start = log["kinetic"][0] + log["elastic energy [J]"][0]
-    came = [("kinetic and elastic at the start", start), ("work of gravity", energy["gravity_work"]), ("work of the gas", energy["gas_work"])]
-    went = [("kinetic", energy["kinetic"]), ("elastic", energy["elastic"]), ("lost by damping", last["dissipated by damping [J]"]),
-            ("lost by sliding", last["dissipated by sliding [J]"])]  # fmt: skip
+    came = [("kinetic and elastic at the start", start), ("work of gravity", energy["gravity_work"]), ("work of the gas", energy["gas_work"]),
+            ("made by the tangential law (below zero: lost)", energy["made_by_law"])]  # fmt: skip
+    went = [("kinetic", energy["kinetic"]), ("elastic", energy["elastic"]), ("lost by damping", energy["dissipated_damping"]),
+            ("lost by sliding", energy["dissipated_sliding"])]
     missing = sum(v or 0 for _, v in went) - sum(v or 0 for _, v in came)
     rows = [(name, "came in", number(value, 4)) for name, value in came if value is not None]
     rows += [(name, "went out or is there", number(value, 4)) for name, value in went]

@@ -126,7 +126,7 @@ def ledger(content):
     worst = max(abs(float(r["energy balance error"])) for r in content["log"])
     text = (
         f"\n## Energy ledger\n\nThe case's own run at its end, after {number(last['time [s]'])} s; all of these are columns of its `log.csv`. The greatest balance error of all rows is {worst:.2g} "
-        "(relative to the greatest entry). It holds the error of the time step and what tangential springs take up or give off while their stiffness follows the overlap.\n\n"
+        "(relative to the greatest entry). It holds the error of the time step; what tangential springs take up or give off while their stiffness follows the overlap is an entry of its own.\n\n"
         + table(["entry", "value"], [(n, number(last[n], 4)) for n in names])
         + "\n"
     )
