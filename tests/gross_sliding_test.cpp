@@ -1,0 +1,37 @@
+// Impacts that slide from beginning to end: what friction takes of the tangential velocity.
+#include "impact_scene.hpp"
+
+namespace fixdem::tests {
+namespace {
+
+template <int tenths>
+struct sliding_impact : impact_scene {
+  static constexpr double restitution = 0.1 * tenths, friction = 0.01;
+};
+
+/// Change of tangential velocity at the wall over mu (1 + e) v, which it would be if friction acted under repulsion
+/// only.
+template <class Case>
+double share_of_coulomb() {
+  enter({Case::name, seed()});
+  static Simulation<Case> simulation;
+  Spheres spheres = oblique_impacts<Case>(Random(seed()));
+  Sphere& s = spheres[0];
+  s.velocity[0] = 1, s.velocity[1] = 0, s.velocity[2] = -1;
+  for (double& w : s.angular_velocity) w = 0;
+  s.position[2] = Case::diameter / 2 + 1e-5;
+  place_all(simulation, spheres);
+  start(simulation);
+  run(simulation, static_cast<long long>(3e-4 / Case::time_step));
+  const auto after = simulation.particle(0);
+  return (1 - after.velocity[0]) / (Case::friction * (1 + after.velocity[2]));
+}
+
+TEST_CASE("gross sliding: the cap mu |f_n| also acts while f_n attracts at the end of a contact") {
+  // Integral of |f_n| over that of f_n for m x'' + eta x^(1/4) x' + K x^(3/2) = 0, by a Runge-Kutta program.
+  CHECK(share_of_coulomb<sliding_impact<5>>() == doctest::Approx(1.06704).epsilon(1e-3));
+  CHECK(share_of_coulomb<sliding_impact<9>>() == doctest::Approx(1.00213).epsilon(2e-4));
+}
+
+}  // namespace
+}  // namespace fixdem::tests
