@@ -40,12 +40,15 @@ void BinaryReader::check_seal(std::string_view file) {
 }
 
 std::string read_file(const std::filesystem::path& path, const char* what) {
+  const auto refuse = [&](const char* why) {
+    throw Failure(exit_input_output, fmt::format("cannot read the {} {}: {}", what, path.string(), why));
+  };
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) refuse(std::strerror(EISDIR));  // reading one would throw
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.is_open() || file.bad() || std::filesystem::is_directory(path))
-    throw Failure(exit_input_output, fmt::format("cannot read the {} {}: {}", what, path.string(),
-                                                 errno != 0 ? std::strerror(errno) : "not a readable file"));
+  if (!file.is_open() || file.bad()) refuse(errno != 0 ? std::strerror(errno) : "not a readable file");
   return bytes;
 }
 

@@ -85,6 +85,7 @@ int run(SimulationView& view, const CaseFacts& facts, int argc, char** argv) {
 }  // namespace
 
 int run_program(SimulationView& view, const CaseFacts& facts, int argc, char** argv) noexcept {
+  prepare_process();
   int code;
   try {
     code = run(view, facts, argc, argv);

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "disk.hpp"
 #include "failure.hpp"
@@ -29,10 +30,18 @@ std::string this_host() {
   return ::gethostname(name.data(), name.size() - 1) == 0 && name[0] != '\0' ? std::string(name.data()) : "unknown";
 }
 
-/// Nobody when the file says nothing that makes sense: its owner was killed before it had written it.
-Owner read_owner(int descriptor) {
+/// Nobody when the file is empty or cut short: its owner was killed while writing it.
+Owner read_owner(int descriptor, const std::filesystem::path& path) {
   std::array<char, 512> text{};
   if (::pread(descriptor, text.data(), text.size() - 1, 0) <= 0) return {};
+  constexpr std::string_view beginning = "process ";
+  const std::string_view found = text.data();
+  if (found.substr(0, beginning.size()) != beginning.substr(0, found.size())) {
+    ::close(descriptor);
+    throw Failure(exit_input_output, fmt::format("{} is no lock of fixdem: it holds something else\n  move it away, or "
+                                                 "choose another --out",
+                                                 path.string()));
+  }
   std::istringstream words(text.data());
   Owner owner;
   std::string word;
@@ -66,11 +75,16 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / "lo
   };
   do {
     if (descriptor_ >= 0) ::close(descriptor_);
-    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno == ELOOP)
+      throw Failure(exit_input_output,
+                    fmt::format("cannot lock {}: it is a symbolic link, and what it points to would be overwritten\n"
+                                "  remove it, or choose another --out",
+                                path_.string()));
     if (descriptor_ < 0) fail(errno);
     const bool is_locked = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
     const int error = errno;
-    const Owner owner = read_owner(descriptor_);
+    const Owner owner = read_owner(descriptor_, path_);
     const bool is_elsewhere = owner.process != 0 && owner.host != this_host();
     const bool has_no_locks = !is_locked && error != EWOULDBLOCK;
     const bool lives =

@@ -43,6 +43,12 @@ void flush(const std::filesystem::path& path, int flags) {
   if (error != 0 && error != EINVAL) fail("flush", path, error);
 }
 
+/// A new file for writing. What lies there goes first, so that a link is replaced, never written through.
+int create(const std::filesystem::path& path) {
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return -1;
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
 /// Adds the first `size` bytes of a file to a hash; returns how many there are.
 std::uint64_t hash_front(const std::filesystem::path& path, std::uint64_t size, RunningHash& hash) {
   std::ifstream file(path, std::ios::binary);
@@ -61,7 +67,7 @@ std::uint64_t hash_front(const std::filesystem::path& path, std::uint64_t size, 
 void write_file(const std::filesystem::path& path, std::string_view bytes, Durability durability) {
   std::filesystem::path temporary = path;
   temporary += ".part";
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int descriptor = create(temporary);
   if (descriptor < 0) fail("write", temporary, errno);
   int error = write_all(descriptor, bytes);
   if (error == 0 && durability == Durability::durable && disk::fsync(descriptor) != 0) error = errno;
@@ -88,7 +94,7 @@ std::string difference(const std::filesystem::path& path, const FilePosition& po
 
 AppendedFile::AppendedFile(const std::filesystem::path& path, const FilePosition& position)
     : path_(path),
-      descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (position.size == 0 ? O_TRUNC : 0), 0666)),
+      descriptor_(position.size == 0 ? create(path) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC)),
       size_(position.size) {
   if (descriptor_ < 0) fail("write", path, errno);
   if (size_ == 0) return;
@@ -105,7 +111,12 @@ AppendedFile::~AppendedFile() { ::close(descriptor_); }
 
 void AppendedFile::append(std::string_view record) {
   struct stat status {};
-  if (::fstat(descriptor_, &status) == 0 && status.st_nlink == 0) fail("write", path_, ENOENT);  // deleted meanwhile
+  if (::fstat(descriptor_, &status) != 0) fail("write", path_, errno);
+  if (status.st_nlink == 0) fail("write", path_, ENOENT);  // deleted meanwhile
+  if (const auto size = static_cast<std::uint64_t>(status.st_size); size != size_)
+    throw Failure(exit_input_output, fmt::format("{} has been changed by somebody else while the run writes it: it has {} "
+                                                 "bytes, and had {}",
+                                                 path_.string(), size, size_));
   if (const int error = write_all(descriptor_, record); error != 0) {
     // Back to the last whole record; that this works too is not worth a second message.
     if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) ::lseek(descriptor_, 0, SEEK_END);

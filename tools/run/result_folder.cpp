@@ -45,10 +45,10 @@ Numbered numbered(const files::path& folder, std::string_view begin, std::string
   return found;
 }
 
-/// Removes a folder of frames in which nothing else lies.
+/// Removes a folder of frames in which nothing else lies; a link to one stays for the next run.
 void remove_if_empty(const files::path& folder) {
   std::error_code error;
-  files::remove(folder, error);
+  if (!files::is_symlink(folder, error)) files::remove(folder, error);
 }
 
 }  // namespace

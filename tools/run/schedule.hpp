@@ -1,7 +1,8 @@
 // When outputs are due, counted in whole steps: event k of an interval is at the step nearest to k * interval.
 //
 // An interval of 0 or less, or without end, never comes due; one shorter than a step comes due every step. The first
-// event is at the start of the run; the program itself adds one at its end.
+// event is at the start of the run; the program itself adds one at its end. An event beyond `most_steps`, which no run
+// reaches, never comes: there the number of a step would no longer be exact, and soon not fit its type.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +10,9 @@
 #include <limits>
 
 namespace fixdem::program {
+
+/// Longer runs are refused: up to here (2^53) a double counts steps exactly.
+inline constexpr double most_steps = 9e15;
 
 class Schedule {
  public:
@@ -19,8 +23,10 @@ class Schedule {
   long long next() const { return next_; }
   bool is_due(long long step) const { return step >= next_; }
   void advance(long long step) {
-    if (next_ == never) return;
-    while (next_ <= step) next_ = std::max(next_ + 1, std::llround(static_cast<double>(++event_) * steps_));
+    while (next_ != never && next_ <= step) {
+      const double place = static_cast<double>(++event_) * steps_;
+      next_ = place < most_steps ? std::max(next_ + 1, std::llround(place)) : never;
+    }
   }
   /// For checkpoints.
   template <class Archive>
