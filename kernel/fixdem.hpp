@@ -10,6 +10,7 @@
 // Results are the same bytes for the same case, lane width and compiler notwithstanding.
 #pragma once
 
+#include "consistency.hpp"
 #include "memory.hpp"
 #include "observe.hpp"
 
@@ -31,6 +32,7 @@ class Simulation {
   Status start() {
     s_.step = s_.histories_given_at = 0;
     s_.status = {};
+    s_.deepest = 0;
     for (auto& watch : s_.watch) watch = {};
     s_.near_list.most_neighbours = s_.near_list.most_chunk_pairs = s_.near_list.most_wrap_pairs = 0;
     s_.near_list.most_reach = 0;
@@ -134,6 +136,9 @@ class Simulation {
     detail::for_each_observed(s_, [&](const detail::Observed<Case>& o) { f(o.contact); });
   }
 
+  /// Maximum overlap of all contacts in all steps so far, m.
+  double deepest_overlap() const { return s_.deepest; }
+
   Observation observe() const { return fixdem::observe(s_); }
 
   /// Where the energy is and where it went. Dissipation and gas work are zero in a case without energy ledger.
@@ -190,6 +195,13 @@ class Simulation {
   /// How often particles were sorted along the pipe, and how often a single range of pairs was listed anew.
   long long sorts() const { return s_.near_list.sorts; }
   long long listings() const { return s_.near_list.listings; }
+
+  /// Whether this object, whose bytes have come from outside, may be run (consistency.hpp).
+  bool is_consistent() const {
+    for (const int row : id_row_)
+      if (row < 0 || row >= count) return false;
+    return fixdem::is_consistent(s_);
+  }
 
   State<Case>& state() { return s_; }  ///< for benchmarks and tests of single stages
 

@@ -28,6 +28,7 @@ struct State {
   Watch<Case> watch[NearList<Case>::ranges];
   Status status;
   long long step;
+  double deepest;                ///< overlap since the start, m
   long long histories_given_at;  ///< step at which they came from outside: they may lie across the plane of contact
 };
 
@@ -64,15 +65,16 @@ Status find_culprit(const State<Case>& s, int chunk, Fault fault, double limit) 
 
 /// Overlap of a range at the beginning of the step; whose it is is left to be named by the caller (observe.hpp).
 template <class Case>
-Status check_overlap(const State<Case>& s, int range) {
-  const double overlap = greatest_of(s.watch[range].overlap) / Derived<Case>::radius;
+Status check_overlap(State<Case>& s, int range) {
+  const double deepest = greatest_of(s.watch[range].overlap), overlap = deepest / Derived<Case>::radius;
+  if (deepest > s.deepest) s.deepest = deepest;
   if (!(overlap <= Case::max_overlap)) return {Fault::overlap, -1, 0, overlap, Case::max_overlap};
   return {};
 }
 
 /// Checks of a chunk that has just moved: not too deep, finite, not too fast, still in order.
 template <class Case>
-Status check_chunk(const State<Case>& s, int chunk, long long step) {
+Status check_chunk(State<Case>& s, int chunk, long long step) {
   const double radius = Derived<Case>::radius;
   if (const Status deep = check_overlap(s, chunk); !deep.ok()) return deep;
   const double sum = sum_of(s.watch[chunk].square_sum);

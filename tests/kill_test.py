@@ -3,9 +3,11 @@
 
 Everywhere: each operation on the disk that a short run makes is crashed in (tools/run/disk.hpp), cut short, made to fail,
 or finds the disk full from there on; every run is then resumed to its end. At random: runs are ended by
-SIGKILL, by signals that ask to stop, or by such a fault, at random moments, and resumed, again and again until they are
-done. At the end all files must be equal byte for byte, but for `performance` in summary.json, the one place for figures
-of the clock, and nothing else may lie in the folder.
+SIGKILL, by signals that ask to stop (once, or twice within a millisecond, as make does), or by such a fault, at random
+moments, and resumed, again and again until they are done; half of them are brought to an earlier end first and extended from
+there. At the end all files must be equal byte for byte to those of a run of that length, but for `performance` in
+summary.json, the one place for figures of the clock, and the checkpoint of the end, which has them too and what no step reads;
+it must be there, and nothing else may lie in the folder.
 
 Usage: tests/kill_test.py PROGRAMS SCRATCH [--count FILE] [--kills N | --time SECONDS] [--starts RESULTS] [--seed N]
 PROGRAMS: folder of the cases' programs. --time: the long form (`make soak`): runs also larger cases, those that start from
@@ -25,7 +27,7 @@ import sys
 import time
 from pathlib import Path
 
-STOPPING = (signal.SIGINT, signal.SIGTERM, signal.SIGXCPU)
+STOPPING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGXCPU)
 
 
 class Wrong(Exception):
@@ -47,12 +49,18 @@ class Scene:
             raise Wrong(f"{name}: an undisturbed run ends with {done}: {self.error()}")
         self.whole = self.files()
 
-    def start(self, fault=None, resume=False):
+    def start(self, fault=None, resume=False, duration=None):
+        """`duration`: another than that of the whole run."""
+        arguments = list(self.arguments)
+        if duration is not None:
+            arguments += ["--duration", str(duration)]
+            if "--duration" in self.arguments:
+                del arguments[(at := arguments.index("--duration")) : at + 2]
         environment = {**os.environ, **({"FIXDEM_DISK_FAULT": fault} if fault else {})}
         self.out.parent.mkdir(parents=True, exist_ok=True)
         with open(f"{self.out}.stderr", "w", encoding="utf-8") as error:
             return subprocess.Popen(
-                [self.program, "--out", self.out, "--quiet", *self.arguments, *(["--resume"] if resume else [])],
+                [self.program, "--out", self.out, "--quiet", *arguments, *(["--resume"] if resume else [])],
                 env=environment, stdout=subprocess.DEVNULL, stderr=error)
 
     def error(self):
@@ -64,7 +72,13 @@ class Scene:
         summary = json.loads(found["summary.json"])
         del summary["performance"]
         found["summary.json"] = json.dumps(summary)
-        return found
+        return {name: b"" if name.startswith("checkpoint-") else bytes for name, bytes in found.items()}
+
+    def last_duration(self):
+        """That of the whole run."""
+        if "--duration" in self.arguments:
+            return float(self.arguments[self.arguments.index("--duration") + 1])
+        return json.loads(self.whole["summary.json"])["duration"]
 
     def compare(self, history):
         found = self.files()
@@ -98,9 +112,30 @@ def attack_everywhere(scene, figures):
             figures["faults"] += 1
 
 
+def attack_extension(scene, figures, first):
+    """Every operation of the extension of a finished run: whatever it dies in, a longer one comes out."""
+    for number in range(1, 1000):
+        shutil.rmtree(scene.out, ignore_errors=True)
+        if scene.start(duration=first).wait() != 0:
+            raise Wrong(f"{scene.name}: {scene.error()}")
+        code = scene.start(f"crash@{number}", resume=True).wait()
+        if code not in (0, -signal.SIGKILL):
+            raise Wrong(f"{scene.name}: extended with crash@{number}: exit code {code}: {scene.error()}")
+        if code != 0 and scene.start(resume=True).wait() != 0:
+            raise Wrong(f"{scene.name}: not resumed after crash@{number} in an extension: {scene.error()}")
+        scene.compare(f"crash@{number} in an extension")
+        figures["faults"] += 1
+        if code == 0:
+            return
+
+
 def attack_at_random(scene, figures, chance, is_over):
     """Ends a run at random moments and resumes it until it is done; then its files must be right."""
     history, resume = [], False
+    ends = [scene.last_duration()]
+    if chance.random() < 0.5:
+        ends.insert(0, ends[0] * chance.uniform(0.1, 0.9))
+        history.append(f"a first end at {ends[0]!r} s")
     shutil.rmtree(scene.out, ignore_errors=True)
     while not is_over():
         fault, way, delay = None, None, chance.uniform(0, 0.6 * scene.seconds)
@@ -110,16 +145,20 @@ def attack_at_random(scene, figures, chance, is_over):
         else:
             way = signal.SIGKILL if dice < 0.85 else chance.choice(STOPPING)
         history.append(fault or f"{way.name} after {1e3 * delay:.1f} ms")
-        run = scene.start(fault, resume)
+        run = scene.start(fault, resume, ends[0])
         if way is not None:
             time.sleep(delay)
-            run.send_signal(way)
+            for _ in range(chance.choice((1, 2)) if way in STOPPING else 1):
+                run.send_signal(way)
         code = run.wait()
         resume = True
         figures["attempts"] += 1
-        if code == 0:
+        if code == 0 and len(ends) == 1:
             break
-        if code == -signal.SIGKILL:
+        if code == 0:
+            del ends[0]
+            figures["extended"] += 1
+        elif code == -signal.SIGKILL:
             figures["crashes" if fault else "kills"] += 1
         elif code == 6 and fault:
             figures["faults"] += 1
@@ -130,7 +169,7 @@ def attack_at_random(scene, figures, chance, is_over):
         else:
             raise Wrong(f"{scene.name}: exit code {code} after {', '.join(history)}: {scene.error()}")
     if is_over():
-        code = scene.start(resume=resume).wait()
+        code = scene.start(resume=resume, duration=ends[-1]).wait()
         if code != 0:
             raise Wrong(f"{scene.name}: exit code {code} at the end, after {', '.join(history)}: {scene.error()}")
     scene.compare(", ".join(history))
@@ -182,11 +221,13 @@ def main():
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # a test in the background must not pass on that it ignores it
     begin = time.monotonic()
     chance = random.Random(options.seed)
-    figures = dict.fromkeys(("attempts", "kills", "crashes", "faults", "stops", "stops early", "runs", "operations"), 0)
+    figures = dict.fromkeys(("attempts", "extended", "kills", "crashes", "faults", "stops", "stops early", "runs", "operations"), 0)
     failed = 0
     try:
         attack_everywhere(Scene(options.programs, options.scratch, "settle",
                                 "--duration 0.0051 --checkpoint-interval 0.0024"), figures)
+        attack_extension(Scene(options.programs, options.scratch, "settle", "--duration 0.0051 --checkpoint-interval 0.0024"),
+                         figures, 0.0031)
         everywhere, figures["faults"] = figures["faults"], 0
         scenes = scenes_of(options)
         if options.time is None:
@@ -202,7 +243,7 @@ def main():
                     attack_at_random(scene, figures, chance, is_over)
         cpu = resource.getrusage(resource.RUSAGE_CHILDREN)
         print(f"{everywhere} faults at each of {figures['operations']} operations of a run; at random: {figures['kills']} kills, "
-              f"{figures['crashes']} crashes in writing, {figures['faults']} failed writes, {figures['stops']} signals to stop, "
+              f"{figures['crashes']} crashes in writing, {figures['faults']} failed writes, {figures['stops']} signals to stop, {figures['extended']} extended, "
               f"{figures['runs']} runs resumed to the same bytes; seed {options.seed}, "
               f"{time.monotonic() - begin:.0f} s, {cpu.ru_utime + cpu.ru_stime:.1f} s of processor time")
     except Wrong as wrong:

@@ -62,7 +62,7 @@ run_part() {
 }
 quick_stability() {
   local folder=$build/stability/settle
-  "$build/bin/settle" --out "$folder/run" --quiet --no-frames &&
+  "$build/bin/settle" --out "$folder/run" --replace --quiet --no-frames &&
     tools/stability/stability.py --quick --case-file cases/settle.toml --casegen "$build/casegen" --folder "$folder" \
       --results "$folder/run" --out "$folder/page" --jobs "$cores" --count "$reports/quick_stability.count"
 }

@@ -26,7 +26,7 @@ def check(what, right, found=""):
 
 
 def command(*options):
-    return [program, "--out", scratch, "--no-frames", "--duration", "0.004", *options]
+    return [program, "--out", scratch, "--replace", "--no-frames", "--duration", "0.004", *options]
 
 
 def on_terminal(columns, **settings):

@@ -1,9 +1,7 @@
 // Time-step advice: contact time at the reference speed, Rayleigh time, steps per contact.
 //
-// Hertz: an impact of reduced mass M at speed v on the stiffness K of eqs. (16) and (17) has the greatest overlap
-// delta = (5 M v^2 / (4 K))^(2/5) and lasts t_c = 2.9433 delta / v without damping; M = m/2 between particles, m at a
-// wall. The Rayleigh time pi r sqrt(rho/G) / (0.1631 nu + 0.8766) is that of a surface wave over half the sphere.
-// Linear law: half a period, pi sqrt(M/k), whatever the speed, and the limit 2 sqrt(m/k) of eq. (39). SI units.
+// The Rayleigh time pi r sqrt(rho/G) / (0.1631 nu + 0.8766) is that of a surface wave over half the sphere. Linear law:
+// the limit 2 sqrt(m/k) of eq. (39). Contact times: tools/run/contact_time.hpp. SI units.
 #include "advice.hpp"
 
 #include <fmt/format.h>
@@ -14,11 +12,11 @@
 #include <numbers>
 #include <vector>
 
+#include "tools/run/contact_time.hpp"
+
 namespace fixdem::casegen {
 namespace {
 
-// Euler's rebound at e = 0.9 is wrong by some 0.1 % at 18 steps per contact and by some 10 % at 4.
-constexpr double fewest_steps_per_contact = 20;
 // Far beyond what any accuracy needs: a unit was mistaken, or a time step.
 constexpr double most_steps_per_contact = 1000;
 
@@ -29,19 +27,14 @@ struct ContactTime {
 
 double mass_of(const CaseValues& v) { return std::numbers::pi / 6 * std::pow(v.diameter, 3) * v.density; }
 
-double hertz_contact_time(double mass, double stiffness, double speed) {
-  const double overlap = std::pow(5 * mass * speed * speed / (4 * stiffness), 0.4);
-  return 2.9433 * overlap / speed;
-}
-
 /// Contact times of the kinds of contact that this case can have.
 std::vector<ContactTime> contact_times(const CaseValues& v) {
   const double mass = mass_of(v), radius = v.diameter / 2;
   const bool pairs = v.count > 1, walls = v.wall || v.ends == "closed";
   std::vector<ContactTime> times;
   if (v.normal == "linear") {
-    if (pairs) times.push_back({"pair", std::numbers::pi * std::sqrt(mass / 2 / v.normal_stiffness)});
-    if (walls) times.push_back({"wall", std::numbers::pi * std::sqrt(mass / v.normal_stiffness)});
+    if (pairs) times.push_back({"pair", linear_contact_time(mass / 2, v.normal_stiffness)});
+    if (walls) times.push_back({"wall", linear_contact_time(mass, v.normal_stiffness)});
     return times;
   }
   if (v.reference_speed <= 0) return times;

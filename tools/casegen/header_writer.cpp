@@ -12,6 +12,7 @@
 #include <set>
 
 #include "checks.hpp"
+#include "schema.hpp"
 
 namespace fixdem::casegen {
 namespace {
@@ -142,12 +143,25 @@ void write_program(Members& members, const CaseValues& v) {
   members.add("Placed", "placed[]", list.empty() ? "{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}" : "{" + list + "\n  }", "");
 }
 
+/// Every key with its value, one a line: what a program compares when it is to go on with a run of another one.
+std::string key_values(const CaseValues& values) {
+  std::string text;
+  for (const Rule<CaseValues>& rule : case_keys())
+    text += fmt::format("{}{} = {}\n", rule.table.empty() ? "" : "[" + rule.table + "] ", rule.name,
+                        one_line(rule.value_in(values)));
+  for (std::size_t k = 0; k < values.placed.size(); ++k)
+    for (const Rule<PlacedParticle>& rule : placed_keys())
+      text += fmt::format("[[start.particle]] {} {} = {}\n", k, rule.name, rule.value_in(values.placed[k]));
+  return text;
+}
+
 std::string write_members(const CaseValues& values, const Source& source) {
   Members members;
   members.text("name", source.name);
   members.text("title", values.title.empty() ? source.name : values.title);
   members.text("source", source.label);
   members.add("unsigned long long", "source_hash", fmt::format("0x{:016x}ULL", source.hash), "XXH64 of the case file");
+  members.text("keys", source.name.empty() ? "" : key_values(values));
   write_physics(members, values);
   write_program(members, values);
   return members.str();

@@ -141,21 +141,24 @@ template <class Record>
 std::string Rule<Record>::default_value() const {
   if (required) return "";
   if (!default_note.empty()) return default_note;
-  const Record defaults{};
+  if (std::holds_alternative<Memory<Record>>(binding)) return "none";
+  return value_in(Record{});
+}
+
+template <class Record>
+std::string Rule<Record>::value_in(const Record& record) const {
+  const auto word = [](const std::string& text) { return text.empty() ? std::string("none") : quoted(text); };
   return std::visit(
-      Overloaded{[&](const Real<Record>& real) { return number(defaults.*real.member); },
-                 [&](const Whole<Record>& whole) { return fmt::format("{}", defaults.*whole.member); },
-                 [&](const Flag<Record>& flag) { return std::string(defaults.*flag.member ? "true" : "false"); },
-                 [&](const Text<Record>&) { return std::string("none"); },
-                 [&](const Choice<Record>& choice) {
-                   const std::string& word = defaults.*choice.member;
-                   return word.empty() ? std::string("none") : quoted(word);
-                 },
+      Overloaded{[&](const Real<Record>& real) { return number(record.*real.member); },
+                 [&](const Whole<Record>& whole) { return fmt::format("{}", record.*whole.member); },
+                 [&](const Flag<Record>& flag) { return std::string(record.*flag.member ? "true" : "false"); },
+                 [&](const Text<Record>& text) { return word(record.*text.member); },
+                 [&](const Choice<Record>& choice) { return word(record.*choice.member); },
                  [&](const Vector<Record>& vector) {
-                   const Vector3& v = defaults.*vector.member;
+                   const Vector3& v = record.*vector.member;
                    return fmt::format("[{}, {}, {}]", number(v[0]), number(v[1]), number(v[2]));
                  },
-                 [&](const Memory<Record>&) { return std::string("none"); }},
+                 [&](const Memory<Record>& memory) { return fmt::format("{}", record.*memory.member); }},
       binding);
 }
 

@@ -119,6 +119,7 @@ struct Rule : Key {
   std::string plausible() const;  ///< "1e-06 to 0.5"; empty when nothing is warned of
   bool is_plausible(const Record& record) const;
   std::string default_value() const;  ///< as written in TOML; empty when the key is required
+  std::string value_in(const Record&) const;  ///< as written in TOML
 };
 
 struct TableRule {

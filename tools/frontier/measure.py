@@ -139,7 +139,7 @@ def fill_states(program, seeds, out, jobs):
 
     def fill(seed):
         folder = out / f"fill-seed{seed}"
-        lines(program, "--out", folder, "--quiet", "--no-frames", "--seed", seed)
+        lines(program, "--out", folder, "--replace", "--quiet", "--no-frames", "--seed", seed)
         return folder / "final.fixdem"
 
     with ThreadPoolExecutor(jobs) as pool:

@@ -21,7 +21,7 @@ $(checked)/cppcheck.ok: $(wildcard tools/casegen/*.?pp tools/run/*.?pp kernel/*.
 .PHONY: check-valgrind
 check-valgrind:
 	$(files) build-program CASE=settle
-	@valgrind --quiet --error-exitcode=9 $(build)/bin/settle --out $(build)/scratch/valgrind --quiet --duration 4e-4
+	@valgrind --quiet --error-exitcode=9 $(build)/bin/settle --out $(build)/scratch/valgrind --replace --quiet --duration 4e-4
 
 .PHONY: check
 check:  ## formatting, clang-tidy, cppcheck, all pinned states, valgrind, and the tests under sanitizers (address, behaviour, memory)

@@ -38,7 +38,7 @@ frontier_programs := $(frontier)/exact $(frontier_curves:%=$(frontier)/bodies.%)
 frontier_state := $(if $(QUICK),$(frontier)/run,out/$(case_name))/final.fixdem
 ifdef QUICK
 $(frontier_state): $(case_program)
-	$(quiet)$(read_start); $(case_program) --out $(@D) --quiet --no-frames $${start:+--start-state "$$start"}
+	$(quiet)$(read_start); $(case_program) --out $(@D) --replace --quiet --no-frames $${start:+--start-state "$$start"}
 endif
 
 comma := ,

@@ -76,7 +76,7 @@ class Fixdem:
 
     def run(self, case_name, steps, time_step, start_state=None):
         """A run of so many steps; the state is that of the end."""
-        options = ["--out", self.out(case_name), "--quiet", "--no-frames"]
+        options = ["--out", self.out(case_name), "--quiet", "--no-frames", "--replace", "--drop-checkpoint"]
         if start_state:
             options += ["--start-state", Path(start_state).resolve()]
         self.folder.mkdir(parents=True, exist_ok=True)

@@ -1,5 +1,6 @@
 """A run that is made once: left alone when its results are whole and of this very program and input, resumed from its
-checkpoint when it was stopped, and started otherwise.
+checkpoint when it was stopped, and started otherwise. The folder belongs to whoever keeps the run: results of another program
+or input are replaced, and no checkpoint is kept of a run that is done.
 
 Beside the folder of the results lies a record, FOLDER.json. It says what the run is of (`fingerprint`: program, options and
 start state, by their contents), who has it (`owner`) and how it stands (`state`):
@@ -151,11 +152,12 @@ class KeptRun:
         """One start of the program; its exit code and its last words, which the record has, too."""
         owner, begin = owner_here(), time.monotonic()
         began = Beginning(self.last_checkpoint() if resume else 0, self.write(state="running", owner=owner))
-        command = [*stopped_with_us(), self.program, "--out", self.folder, "--quiet", *self.options, *self.harmless]
+        command = [*stopped_with_us(), self.program, "--out", self.folder, "--quiet", "--drop-checkpoint", *self.options, *self.harmless]
         command += ["--start-state", self.start_state] if self.start_state else []
+        command += ["--resume"] if resume else ["--replace"]
         with tempfile.TemporaryFile("w+", errors="replace") as said:
             try:
-                program = subprocess.Popen(command + (["--resume"] if resume else []), stdout=subprocess.DEVNULL, stderr=said)
+                program = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=said)
                 code = self.watch(program, owner, began)
             except OSError as error:  # no such file, or not for this machine
                 said.write(f"{error}\n")

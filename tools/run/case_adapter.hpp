@@ -30,6 +30,7 @@ class CaseAdapter final : public SimulationView {
   }
   Observation observe() const override { return simulation_.observe(); }
   Energy energy() const override { return simulation_.energy(); }
+  double deepest_overlap() const override { return simulation_.deepest_overlap(); }
   double pressure_gradient([[maybe_unused]] int slice) const override {
     if constexpr (Case::has_gas) return simulation_.pressure_gradient(slice);
     return 0;
@@ -49,6 +50,7 @@ class CaseAdapter final : public SimulationView {
     if constexpr (requires { Case::memory_budget; }) list.back().limit = Case::memory_budget;
     return list;
   }
+  bool is_consistent() const override { return simulation_.is_consistent(); }
   std::span<char> memory() override {
     static_assert(std::is_trivially_copyable_v<Simulation<Case>>, "its bytes are its state");
     return {reinterpret_cast<char*>(&simulation_), sizeof simulation_};

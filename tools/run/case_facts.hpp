@@ -21,6 +21,7 @@ struct CaseFacts {
   const char* title;
   const char* source;
   unsigned long long source_hash;
+  const char* keys = "";  ///< "[table] key = value", one a line; empty in a case that casegen has not written
 
   int particle_count;
   double diameter, density, mass, friction;
@@ -100,6 +101,7 @@ constexpr CaseFacts case_facts() {
   using D = Derived<Case>;
   CaseFacts f{};
   f.name = Case::name, f.title = Case::title, f.source = Case::source, f.source_hash = Case::source_hash;
+  if constexpr (requires { Case::keys; }) f.keys = Case::keys;
   f.particle_count = Case::particle_count;
   f.diameter = Case::diameter, f.density = Case::density, f.mass = D::mass, f.friction = Case::friction;
   f.pipe_diameter = Case::pipe_diameter, f.pipe_length = Case::pipe_length;

@@ -3,22 +3,39 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "binary_file.hpp"
+#include "schedule.hpp"
 
 namespace fixdem::program {
 namespace {
 
 constexpr std::string_view magic("FIXDEMCP", 8);
-constexpr std::uint32_t version = 1;
-const std::string advice = "run without --resume to begin anew";
+constexpr std::uint32_t version = 2;
+const std::string advice = "begin anew with --fresh";
 
 template <class Archive>
 void transfer(Archive& archive, Checkpoint& c) {
   std::uint64_t pairs = archive.count(c.identity.size(), 16);
   c.identity.resize(pairs);
   for (auto& [name, value] : c.identity) archive(name, value);
-  archive(c.duration, c.seed, c.frames, c.step, c.time, c.outputs, c.simulation, c.program);
+  archive(c.duration, c.case_duration, c.seed, c.frames, c.start, c.step, c.time, c.outputs, c.simulation, c.program);
+}
+
+/// Every key of the case with its value, as casegen has written them: one a line.
+void append_keys(const CaseFacts& facts, Identity& list) {
+  static const std::set<std::string_view> free = {"title", "[run] duration", "[run] reference_speed",
+                                                  "[output] checkpoint_interval"};
+  std::string_view rest = facts.keys;
+  if (rest.empty()) list.emplace_back("case file (XXH64)", fmt::format("{:016x}", facts.source_hash));
+  while (!rest.empty()) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    const std::size_t middle = line.find(" = ");
+    if (middle == std::string_view::npos || free.contains(line.substr(0, middle))) continue;
+    list.emplace_back(line.substr(0, middle), line.substr(middle + 3));
+  }
 }
 
 const std::string* find(const Identity& identity, const std::string& name) {
@@ -29,12 +46,19 @@ const std::string* find(const Identity& identity, const std::string& name) {
 
 }  // namespace
 
+Identity brief_identity(const CaseFacts& facts) {
+  return {{"case", facts.name},
+          {"case file (XXH64)", fmt::format("{:016x}", facts.source_hash)},
+          {"precision", precision_name(facts.precision)},
+          {"kernel (checksum of its source)", facts.kernel}};
+}
+
 Identity identity(const CaseFacts& facts, SimulationView& view) {
   Identity list = {{"case", facts.name},
-                   {"case file (XXH64)", fmt::format("{:016x}", facts.source_hash)},
                    {"precision", precision_name(facts.precision)},
                    {"kernel (checksum of its source)", facts.kernel},
                    {"program", program_version}};
+  append_keys(facts, list);
   for (const CapacityUse& use : view.capacities()) list.emplace_back("room for " + use.name, std::to_string(use.limit));
   list.emplace_back("bytes of the simulation", std::to_string(view.memory().size()));
   return list;
@@ -42,14 +66,11 @@ Identity identity(const CaseFacts& facts, SimulationView& view) {
 
 std::string differences(const Identity& there, const Identity& here) {
   std::string text;
-  const auto add = [&text](const std::string& name, const std::string* a, const std::string* b) {
-    const std::string none = "nothing";
-    text += fmt::format("\n  {}: {} there, {} here", name, a != nullptr ? *a : none, b != nullptr ? *b : none);
-  };
   for (const auto& [name, value] : here)
-    if (const std::string* other = find(there, name); other == nullptr || *other != value) add(name, other, &value);
+    if (const std::string* other = find(there, name); other == nullptr || *other != value)
+      text += fmt::format("\n  {}: {} there, {} here", name, other != nullptr ? *other : "nothing", value);
   for (const auto& [name, value] : there)
-    if (find(here, name) == nullptr) add(name, &value, nullptr);
+    if (find(here, name) == nullptr) text += fmt::format("\n  {}: {} there, nothing here", name, value);
   return text;
 }
 

@@ -137,6 +137,14 @@ void CollisionTracker::follow(const SimulationView& view, double step_begin) {
   end();
 }
 
+bool CollisionTracker::is_consistent() const {
+  const auto count = static_cast<std::size_t>(facts_.particle_count);
+  if (finished_) return true;
+  if (started_ && particles_.size() != count) return false;
+  return touching_ == -1 ||
+         (started_ && result_ && touching_ >= 0 && static_cast<std::size_t>(touching_) < candidates_.size());
+}
+
 void CollisionTracker::observe(const SimulationView& view) {
   if (finished_) return;
   const double step_begin = time_;

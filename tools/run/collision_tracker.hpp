@@ -50,6 +50,8 @@ class CollisionTracker {
   /// To be called after the start and after every step.
   void observe(const SimulationView&);
   std::optional<Collision> result() const { return result_; }
+  /// What a checkpoint says of a collision must be of these particles.
+  bool is_consistent() const;
   /// For checkpoints.
   template <class Archive>
   void transfer(Archive& archive) {

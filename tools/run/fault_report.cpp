@@ -5,13 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact_time.hpp"
+
 namespace fixdem::program {
 namespace {
 
-double contact_time(const CaseFacts& facts, double mass, double stiffness, double speed) {
-  if (facts.normal == NormalLaw::linear) return 3.14159265358979324 * std::sqrt(mass / stiffness);
-  // m v^2 / 2 = (2/5) K overlap^(5/2), the energy of eq. (15)
-  return 2.9433 * std::pow(1.25 * mass * speed * speed / stiffness, 0.4) / speed;
+/// The least of `time(reduced mass, stiffness)` over the kinds of contact that the case can have.
+template <class Time>
+double shortest_contact(const CaseFacts& facts, Time&& time) {
+  double shortest = INFINITY;
+  if (facts.particle_count > 1) shortest = std::min(shortest, time(facts.mass / 2, facts.stiffness_pair));
+  if (facts.has_wall || !facts.is_periodic) shortest = std::min(shortest, time(facts.mass, facts.stiffness_wall));
+  return shortest;
 }
 
 /// Two digits, rounded down: 2.93e-6 -> 2.9e-6.
@@ -23,8 +28,34 @@ double two_digits_below(double x) {
 }  // namespace
 
 double contact_time(const CaseFacts& facts, double speed) {
-  return std::min(contact_time(facts, facts.mass / 2, facts.stiffness_pair, speed),
-                  contact_time(facts, facts.mass, facts.stiffness_wall, speed));
+  return shortest_contact(facts, [&](double mass, double stiffness) {
+    return facts.normal == NormalLaw::linear ? linear_contact_time(mass, stiffness)
+                                             : hertz_contact_time(mass, stiffness, speed);
+  });
+}
+
+double contact_time_of(const CaseFacts& facts, double max_overlap) {
+  return shortest_contact(facts, [&](double mass, double stiffness) {
+    return facts.normal == NormalLaw::linear
+               ? linear_contact_time(mass, stiffness)
+               : hertz_contact_time(mass, stiffness, hertz_impact_speed(mass, stiffness, max_overlap));
+  });
+}
+
+std::string contact_warning(const CaseFacts& facts, double deepest_overlap) {
+  const bool is_measured = deepest_overlap > 0;
+  if (!is_measured && !(facts.reference_speed > 0) && facts.normal == NormalLaw::hertz) return "";
+  const double duration =
+      is_measured ? contact_time_of(facts, deepest_overlap) : contact_time(facts, facts.reference_speed);
+  const double steps = duration / facts.time_step;
+  if (!(steps < fewest_steps_per_contact)) return "";
+  return fmt::format(
+      "fixdem: warning: [run] time_step = {} gives only {:.1f} steps per contact at {}; at least {:.0f} are needed for "
+      "a true rebound: results may be wrong\n  try time_step = {:.2g}, or a softer material\n",
+      facts.time_step, steps,
+      is_measured ? fmt::format("the deepest overlap so far, {:.2g} radii", deepest_overlap / facts.radius())
+                  : fmt::format("{:.4g} m/s", facts.reference_speed),
+      fewest_steps_per_contact, two_digits_below(duration / fewest_steps_per_contact));
 }
 
 const char* fault_name(Fault fault) {
@@ -105,12 +136,12 @@ std::string fault_advice(const CaseFacts& facts, const Status& status, double sp
   if (!(speed > 0)) speed = 1;
   const double duration = contact_time(facts, speed);
   const double steps = duration / facts.time_step;
-  if (steps < 20)
+  if (steps < fewest_steps_per_contact)
     return fmt::format(
-        "a contact at {:.3g} m/s lasts {:.2g} s, {:.2g} time steps of {:.2g} s (20 are needed)\n  try [run] time_step "
-        "= "
-        "{:.2g}, or a lower youngs_modulus",
-        speed, duration, steps, facts.time_step, two_digits_below(duration / 20));
+        "a contact at {:.3g} m/s lasts {:.2g} s, {:.2g} time steps of {:.2g} s ({:.0f} are needed)\n  try [run] "
+        "time_step = {:.2g}, or a lower youngs_modulus",
+        speed, duration, steps, facts.time_step, fewest_steps_per_contact,
+        two_digits_below(duration / fewest_steps_per_contact));
   return fmt::format(
       "a contact at {:.3g} m/s lasts {:.2g} time steps, which is enough: the particles are pressed together or driven "
       "out by speed, gravity or gas\n  look at the last frame, and raise the stiffness{} if it is meant",

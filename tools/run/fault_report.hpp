@@ -20,8 +20,14 @@ std::string fault_sentence(const CaseFacts&, const Status&);
 /// speed seen before the fault; the case's reference speed if that is 0): 20 steps per contact are asked for.
 std::string fault_advice(const CaseFacts&, const Status&, double speed);
 
-/// Duration of the shortest contact of two particles, or of one with a wall, at this approach speed, without damping,
-/// s: 2.9433 (greatest overlap)/speed with Hertz, half a period with the linear law.
+/// Empty where a contact has time steps enough for a true rebound; otherwise the warning: by the deepest overlap so far,
+/// m, or before there is one by the speed that the case expects.
+std::string contact_warning(const CaseFacts&, double deepest_overlap);
+
+/// Duration of the shortest contact that the case can have, of two particles or with a wall, without damping, at this
+/// approach speed, s (contact_time.hpp). Infinite where nothing can touch.
 double contact_time(const CaseFacts&, double speed);
+/// The same of an impact with this maximum overlap, m.
+double contact_time_of(const CaseFacts&, double max_overlap);
 
 }  // namespace fixdem::program

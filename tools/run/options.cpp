@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "failure.hpp"
+#include "schedule.hpp"
 
 namespace fixdem::program {
 namespace {
@@ -56,6 +57,16 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
       ->type_name("FILE");
   app.add_flag("--resume", options.resume, "go on from the latest checkpoint in the folder");
   app.add_option("--resume-from", resume_from, "go on from this checkpoint")->type_name("FILE");
+  auto* extend = app.add_option("--extend", options.extension,
+                                "go on with the finished run in the folder, for so many seconds more")
+                     ->type_name("S");
+  auto* fresh = app.add_flag("--fresh", options.fresh,
+                             "begin anew; results that lie in the folder are moved aside, to DIR.1, DIR.2, ...");
+  auto* replace = app.add_flag("--replace", options.replace, "begin anew; results that lie in the folder are deleted");
+  fresh->excludes(replace);
+  bool drop_checkpoint = false;
+  app.add_flag("--drop-checkpoint", drop_checkpoint,
+               "keep no checkpoint once the run is done: less space, but it cannot be extended then");
   auto* interval = app.add_option("--checkpoint-interval", options.checkpoint_interval,
                                   "simulated time between checkpoints in seconds (default: [output] "
                                   "checkpoint_interval, or once a minute by the clock)")
@@ -66,8 +77,7 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
   app.set_version_flag(
       "--version", [&] { return version_text(facts, view); }, "what is compiled into this program");
   app.footer(
-      "Results: log.csv, frames.pvd, frames/, final.fixdem, summary.json; checkpoint-STEP.fixdem until it is "
-      "done.\nExit codes: 0 done, 2 wrong usage, "
+      "Results: log.csv, frames.pvd, frames/, final.fixdem, summary.json; checkpoint-STEP.fixdem, to go on from.\nExit codes: 0 done, 2 wrong usage, "
       "3 bad case or input, 4 capacity exceeded,\n5 unstable or non-finite, 6 input/output, 128 + signal.");
 
   try {
@@ -89,9 +99,20 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
   options.frames = !no_frames;
   if (!start_state.empty()) options.start_state = start_state;
   if (!resume_from.empty()) options.resume_from = resume_from;
-  options.resume = options.resume || options.resume_from;
+  options.keeps_checkpoint = !drop_checkpoint;
+  options.resume = options.resume || options.resume_from || extend->count() > 0;
   options.seed_is_given = seed->count() > 0;
   options.duration_is_given = duration->count() > 0;
+  if (options.resume && (options.fresh || options.replace))
+    throw Failure(exit_wrong_usage, fmt::format("{} begins anew: --resume, --resume-from and --extend go on",
+                                                options.fresh ? "--fresh" : "--replace"));
+  if (extend->count() > 0 && duration->count() > 0)
+    throw Failure(exit_wrong_usage,
+                  "--extend is added to the duration of the run, --duration is the whole: give one of them");
+  if (const double more = options.extension / facts.time_step;
+      extend->count() > 0 && !(more >= 0.5 && more < most_steps))
+    throw Failure(exit_wrong_usage, fmt::format("--extend {}: a time in seconds, one step ({} s) or more, is needed",
+                                                options.extension, facts.time_step));
   if (interval->count() > 0 && !(options.checkpoint_interval >= facts.time_step))
     throw Failure(exit_wrong_usage,
                   fmt::format("--checkpoint-interval {}: a time in seconds is needed, one step ({} s) "
@@ -109,10 +130,13 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
                   fmt::format("--start-state: the case {} does not start from another case's state\n  write [start] "
                               "from = \"other_case\" in {}",
                               facts.name, facts.source));
-  const double steps = options.duration / facts.time_step;
-  if (duration->count() > 0 && !(std::isfinite(steps) && steps >= 0 && steps < 9e15))
-    throw Failure(exit_wrong_usage,
-                  fmt::format("--duration {}: a time in seconds, zero or more, is needed", options.duration));
+  if (!is_possible_duration(options.duration, facts.time_step)) {
+    const bool given = duration->count() > 0;
+    throw Failure(given ? exit_wrong_usage : exit_bad_input,
+                  fmt::format("{} {}: a time in seconds, zero or more and below {:.3g} ({:.0e} steps), is needed",
+                              given ? "--duration" : fmt::format("{}: [run] duration =", facts.source), options.duration,
+                              most_steps * facts.time_step, most_steps));
+  }
   return options;
 }
 

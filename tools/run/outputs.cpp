@@ -16,8 +16,7 @@ std::filesystem::path dump_path(const Options& options) { return options.out / "
 FilePosition checked_log(const Options& options, const OutputPosition* continued) {
   if (continued == nullptr) return {};
   if (const std::string what = difference(options, *continued); !what.empty())
-    throw Failure(exit_bad_input, fmt::format("cannot resume: {}\n  put back what it was, or run without --resume to "
-                                              "begin anew",
+    throw Failure(exit_bad_input, fmt::format("cannot resume: {}\n  put back what it was, or begin anew with --fresh",
                                               what));
   tidy_folder(options.out, static_cast<int>(continued->frames.size()));
   return continued->log;
@@ -34,7 +33,7 @@ std::string difference(const Options& options, const OutputPosition& position) {
 }
 
 Outputs::Outputs(const CaseFacts& facts, const Options& options, const OutputPosition* continued)
-    : facts_(facts), log_(log_path(options), facts, checked_log(options, continued)) {
+    : facts_(facts), options_(options), log_(log_path(options), facts, checked_log(options, continued)) {
   if (!options.frames) return;
   frames_.emplace(options.out, facts.radius(), facts.text_frames ? VtpData::text : VtpData::appended,
                   continued != nullptr ? continued->frames : std::vector<WrittenFrame>{});
@@ -52,6 +51,22 @@ OutputPosition Outputs::position() const {
   if (dump_) position.dump = dump_->position();
   if (frames_) position.frames = frames_->written();
   return position;
+}
+
+std::string Outputs::damage() const {
+  const OutputPosition now = position();
+  std::string what = difference(options_, now);
+  std::error_code error;
+  const auto is_longer = [&](const std::filesystem::path& path, const FilePosition& written) {
+    if (what.empty() && std::filesystem::file_size(path, error) != written.size)
+      what = fmt::format("{} is longer than what has been written", path.string());
+  };
+  is_longer(log_path(options_), now.log);
+  if (now.dump) is_longer(dump_path(options_), *now.dump);
+  if (what.empty()) return what;
+  return fmt::format("{}: somebody else has written there during the run\n  put back what it was and go on with --resume, or "
+                     "begin anew with --fresh",
+                     what);
 }
 
 void Outputs::flush() {

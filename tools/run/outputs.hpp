@@ -38,11 +38,14 @@ class Outputs {
   int frame_count() const { return frames_ ? frames_->count() : 0; }
 
   OutputPosition position() const;
+  /// Empty when the files are what has been written; otherwise what somebody else has done to one of them.
+  std::string damage() const;
   /// Everything so far survives a power cut.
   void flush();
 
  private:
   const CaseFacts& facts_;
+  const Options& options_;
   LogFile log_;
   std::optional<FrameWriter> frames_;
   std::optional<AppendedFile> dump_;

@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "disk.hpp"
 #include "failure.hpp"
 #include "output_file.hpp"
 
@@ -21,6 +25,11 @@ namespace files = std::filesystem;
 [[noreturn]] void fail(const char* what, const files::path& path, const std::error_code& error) {
   throw Failure(exit_input_output, fmt::format("cannot {} {}: {}", what, path.string(), error.message()));
 }
+
+/// Results in files of their own, and what other tools make of them.
+constexpr const char* whole_results[] = {"log.csv",      "dump.lammpstrj", "frames.pvd",    "final.fixdem",
+                                         "summary.json", "fault.vtp",      "stopped.fixdem"};
+constexpr const char* made_of_results[] = {"report.html", "movie.mp4", "movie.gif", "render.png"};
 
 /// The number in a name like frame_000123.vtp.
 std::optional<long long> number_in(std::string_view name, std::string_view begin, std::string_view end) {
@@ -68,9 +77,8 @@ void remove_file(const files::path& path) {
 }
 
 void tidy_folder(const files::path& out, int frames) {
-  for (const char* name :
-       {"final.fixdem", "summary.json", "fault.vtp", "stopped.fixdem", "report.html", "movie.mp4", "movie.gif"})
-    remove_file(out / name);
+  for (const char* name : {"final.fixdem", "summary.json", "fault.vtp", "stopped.fixdem"}) remove_file(out / name);
+  for (const char* name : made_of_results) remove_file(out / name);
   for (const char* name : {"final.fixdem", "summary.json", "fault.vtp", "stopped.fixdem", "frames.pvd"})
     remove_file(out / (std::string(name) + ".part"));
   for (const auto& [step, path] : numbered(out, "checkpoint-", ".fixdem.part")) remove_file(path);
@@ -80,6 +88,39 @@ void tidy_folder(const files::path& out, int frames) {
   if (frames > 0) return;
   remove_file(out / "frames.pvd");
   remove_if_empty(out / "frames");  // a run that writes frames makes it again
+}
+
+bool holds_results(const files::path& out) {
+  std::error_code error;
+  for (const char* name : whole_results)
+    if (files::exists(files::symlink_status(out / name, error))) return true;
+  return !checkpoints_in(out).empty() || !numbered(out / "frames", "frame_", ".vtp").empty();
+}
+
+files::path move_aside(const files::path& out) {
+  std::error_code error;
+  files::path from = files::canonical(out, error);
+  if (error) fail("find the folder", out, error);
+  files::path to;
+  for (int number = 1;; ++number) {
+    to = from.string() + "." + std::to_string(number);
+    if (files::create_directory(to, error)) break;  // false where something has that name
+    if (error && error != std::errc::file_exists) fail("make the folder", to, error);
+  }
+  std::vector<files::path> names;
+  if (!numbered(from / "frames", "frame_", ".vtp").empty()) names.emplace_back("frames");
+  names.insert(names.end(), std::begin(whole_results), std::end(whole_results));
+  names.insert(names.end(), std::begin(made_of_results), std::end(made_of_results));
+  for (const files::path& path : checkpoints_in(from)) names.push_back(path.filename());
+  for (const files::path& name : names) {
+    if (!files::exists(files::symlink_status(from / name, error))) continue;
+    if (disk::rename((from / name).c_str(), (to / name).c_str()) != 0)
+      throw Failure(exit_input_output, fmt::format("cannot move {} to {}: {}", (from / name).string(), to.string(),
+                                                   std::strerror(errno)));
+  }
+  flush_folder(to);
+  flush_folder(from);
+  return to;
 }
 
 void prepare_folder(const files::path& out) {

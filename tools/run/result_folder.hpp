@@ -14,6 +14,14 @@ void prepare_folder(const std::filesystem::path& out);
 /// final state, summary, and what was half written.
 void tidy_folder(const std::filesystem::path& out, int frames);
 
+/// Whether results of a run lie in the folder: anything that a new run would take away.
+bool holds_results(const std::filesystem::path& out);
+
+/// Moves all results, and what has been made of them (pages, movies), to the first of OUT.1, OUT.2, ... that does not
+/// exist, and returns it. Whatever else lies in the folder stays; so does the folder itself, be it a link, somebody's
+/// current folder or a mount point.
+std::filesystem::path move_aside(const std::filesystem::path& out);
+
 /// Checkpoints in the folder, the latest first.
 std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& out);
 

@@ -5,7 +5,6 @@
 // reaches, never comes: there the number of a step would no longer be exact, and soon not fit its type.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +12,12 @@ namespace fixdem::program {
 
 /// Longer runs are refused: up to here (2^53) a double counts steps exactly.
 inline constexpr double most_steps = 9e15;
+
+inline bool is_possible_duration(double duration, double time_step) {
+  const double steps = duration / time_step;
+  return duration >= 0 && steps >= 0 && steps < most_steps;
+}
+inline long long steps_of(double duration, double time_step) { return std::llround(duration / time_step); }
 
 class Schedule {
  public:
@@ -22,22 +27,22 @@ class Schedule {
 
   long long next() const { return next_; }
   bool is_due(long long step) const { return step >= next_; }
+  /// To the first event after this step.
   void advance(long long step) {
-    while (next_ != never && next_ <= step) {
-      const double place = static_cast<double>(++event_) * steps_;
-      next_ = place < most_steps ? std::max(next_ + 1, std::llround(place)) : never;
+    if (next_ == never || next_ > step) return;
+    if (steps_ < 1) {
+      next_ = step + 1;
+      return;
     }
-  }
-  /// For checkpoints.
-  template <class Archive>
-  void transfer(Archive& archive) {
-    archive(event_, next_);
+    double event = std::floor(static_cast<double>(step) / steps_), place = event * steps_;
+    while (place < most_steps && std::llround(place) <= step) place = ++event * steps_;
+    next_ = place < most_steps ? std::llround(place) : never;
   }
 
  private:
   static constexpr long long never = std::numeric_limits<long long>::max();
   double steps_;
-  long long event_ = 0, next_ = 0;
+  long long next_ = 0;
 };
 
 }  // namespace fixdem::program

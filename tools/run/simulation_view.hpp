@@ -35,12 +35,15 @@ class SimulationView {
   virtual std::vector<Contact> contacts() const = 0;
   virtual Observation observe() const = 0;
   virtual Energy energy() const = 0;
+  virtual double deepest_overlap() const { return 0; }    ///< of all contacts in all steps so far, m
   virtual double pressure_gradient(int slice) const = 0;  ///< Pa/m; 0 without gas
   virtual double pressure_drop() const = 0;               ///< Pa over the pipe; 0 without gas
   virtual std::vector<CapacityUse> capacities() const = 0;
 
   /// The whole simulation as bytes, to copy and to put back; empty where nobody needs that.
   virtual std::span<char> memory() { return {}; }
+  /// Whether those bytes, once they have been written from outside, may be run.
+  virtual bool is_consistent() const { return true; }
 };
 
 }  // namespace fixdem::program

@@ -6,8 +6,10 @@
 #include <filesystem>
 
 #include "arrangement.hpp"
+#include "binary_file.hpp"
 #include "failure.hpp"
 #include "fault_report.hpp"
+#include "running_hash.hpp"
 #include "state_file.hpp"
 
 namespace fixdem::program {
@@ -20,13 +22,18 @@ std::filesystem::path default_start_state(const CaseFacts& facts, const Options&
   return out.parent_path() / facts.start_from / "final.fixdem";
 }
 
-StoredState load(const CaseFacts& facts, const Options& options) {
+std::filesystem::path start_state_path(const CaseFacts& facts, const Options& options) {
   const std::filesystem::path path = options.start_state ? *options.start_state : default_start_state(facts, options);
   if (!options.start_state && !std::filesystem::exists(path))
     throw Failure(exit_input_output,
                   fmt::format("cannot read {}: the final state of {} is not there\n  run that case first (make run "
                               "CASE={}), or name a file with --start-state",
                               path.string(), facts.start_from, facts.start_from));
+  return path;
+}
+
+StoredState load(const CaseFacts& facts, const Options& options) {
+  const std::filesystem::path path = start_state_path(facts, options);
   StoredState state = read_state(path);
   const auto refuse = [&](const std::string& what, const std::string& advice) {
     throw Failure(exit_bad_input, fmt::format("{} (case {}) does not fit the case {}: {}\n  {}", path.string(),
@@ -64,6 +71,13 @@ StoredState load(const CaseFacts& facts, const Options& options) {
 }
 
 }  // namespace
+
+std::uint64_t start_state_hash(const CaseFacts& facts, const Options& options) {
+  if (facts.start != StartKind::from) return 0;
+  RunningHash hash;
+  hash.add(read_file(start_state_path(facts, options), "start state"));
+  return hash.value();
+}
 
 void check_started(const CaseFacts& facts, const Status& status) {
   if (status.ok()) return;

@@ -9,6 +9,9 @@
 
 namespace fixdem::program {
 
+/// XXH64 of the state file that a run with these options starts from; 0 where it starts from none.
+std::uint64_t start_state_hash(const CaseFacts&, const Options&);
+
 void start_simulation(SimulationView&, const CaseFacts&, const Options&);
 
 /// Throws that Failure when the kernel has refused to start.

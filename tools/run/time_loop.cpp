@@ -10,6 +10,7 @@
 #include "binary_file.hpp"
 #include "energy_balance.hpp"
 #include "failure.hpp"
+#include "fault_report.hpp"
 #include "interrupt.hpp"
 
 namespace fixdem::program {
@@ -24,7 +25,8 @@ TimeLoop::TimeLoop(SimulationView& view, const CaseFacts& facts, const Options& 
     : view_(view),
       facts_(facts),
       options_(options),
-      total_steps_(std::llround(options.duration / facts.time_step)),
+      total_steps_(steps_of(options.duration, facts.time_step)),
+      is_resumed_(resumed != nullptr),
       start_energy_(view.energy()),
       outputs_(facts, options, resumed != nullptr ? &resumed->checkpoint.outputs : nullptr),
       watch_(facts),
@@ -40,10 +42,14 @@ TimeLoop::TimeLoop(SimulationView& view, const CaseFacts& facts, const Options& 
   if (facts.particle_count <= 2) collision_.emplace(facts);
   checkpoint_schedule_.advance(view.step());
   if (resumed == nullptr) return;
-  const std::string name = resumed->path.string(), advice = "run without --resume to begin anew";
+  const std::string name = resumed->path.string(), advice = "begin anew with --fresh";
   BinaryReader reader(resumed->checkpoint.program, name, advice);
   transfer(reader);
   if (!reader.empty()) reader.refuse("is damaged: it is longer than its contents");
+  if (watch_.particle() < -1 || watch_.particle() >= facts.particle_count)
+    reader.refuse("is damaged: it names particle {} of {}", watch_.particle(), facts.particle_count);
+  if (collision_ && !collision_->is_consistent()) reader.refuse("is damaged: its collision is of other particles");
+  for (Schedule* schedule : {&log_schedule_, &frame_schedule_, &sample_schedule_}) schedule->advance(view.step());
 }
 
 int TimeLoop::run() {
@@ -60,9 +66,10 @@ int TimeLoop::go_on() {
   Status status{};
   int signal = 0;
   long long step = view_.step();
-  if (logged_step_ < 0) {  // at its beginning
+  warn_of_contacts();
+  if (!is_resumed_) {
     if (collision_) collision_->observe(view_);
-    output(step, total_steps_ == 0);
+    output(step);
   }
   while (step < total_steps_ && status.ok() && signal == 0 && !step_is_too_large_) {
     const long long due = std::min({log_schedule_.next(), frame_schedule_.next(), sample_schedule_.next(),
@@ -72,7 +79,7 @@ int TimeLoop::go_on() {
     if (!status.ok()) state_is_good_ = rewind_.go_back(status);
     step = view_.step();
     progress_.update(step, kernel_time_);
-    output(step, step >= total_steps_);
+    output(step);
     if (picture_ && (picture_->is_due() || step >= total_steps_)) show();
     if (step < total_steps_) signal = interrupt_signal();
     if (status.ok() && checkpoint_is_due(step)) write_checkpoint();
@@ -143,15 +150,27 @@ void TimeLoop::log(const Snapshot& snapshot) {
   step_is_too_large_ = watch_.look(row.time, snapshot.contacts, row.observation.max_overlap);
   row.step_ratio = watch_.ratio();
   outputs_.log(row);
-  if (const std::string warning = watch_.take_warning(); !warning.empty()) {
-    progress_.clear();
-    if (picture_) picture_->begin_below();
-    std::fputs(warning.c_str(), stderr);
-  }
+  warn(watch_.take_warning());
+  warn_of_contacts();
   if (options_.quiet || picture_) return;
   progress_.clear();
   std::fputs(table_row(facts_, row).c_str(), stdout);
   std::fflush(stdout);
+}
+
+void TimeLoop::warn(const std::string& warning) {
+  if (warning.empty()) return;
+  progress_.clear();
+  if (picture_) picture_->begin_below();
+  std::fputs(warning.c_str(), stderr);
+}
+
+/// Once: before the first step by the speed that the case expects, later by the deepest overlap so far.
+void TimeLoop::warn_of_contacts() {
+  if (has_warned_of_contacts_) return;
+  const std::string warning = contact_warning(facts_, view_.deepest_overlap());
+  has_warned_of_contacts_ = !warning.empty();
+  warn(warning);
 }
 
 void TimeLoop::show() {
@@ -171,7 +190,7 @@ PlugSample TimeLoop::plug_sample(const Snapshot& snapshot) const {
 }
 
 bool TimeLoop::checkpoint_is_due(long long step) const {
-  if (step >= total_steps_) return false;  // it is done
+  if (step >= total_steps_) return false;  // that one belongs to the end
   if (options_.checkpoint_interval > 0) return checkpoint_schedule_.is_due(step);
   return seconds_since(checkpoint_time_) >= checkpoint_seconds;
 }
@@ -182,7 +201,8 @@ void TimeLoop::write_checkpoint() {
   outputs_.flush();
   Checkpoint checkpoint;
   checkpoint.identity = identity(facts_, view_);
-  checkpoint.duration = options_.duration, checkpoint.seed = options_.seed, checkpoint.frames = options_.frames;
+  checkpoint.duration = options_.duration, checkpoint.case_duration = facts_.duration;
+  checkpoint.seed = options_.seed, checkpoint.frames = options_.frames, checkpoint.start = options_.start_hash;
   checkpoint.step = view_.step(), checkpoint.time = view_.time();
   checkpoint.outputs = outputs_.position();
   checkpoint.simulation.assign(memory.begin(), memory.end());
@@ -201,7 +221,7 @@ template <class Archive>
 void TimeLoop::transfer(Archive& archive) {
   archive(start_energy_, greatest_speed_, watch_, step_is_too_large_, plugs_);
   if (collision_) archive(*collision_);
-  archive(log_schedule_, frame_schedule_, sample_schedule_, logged_step_, framed_step_, sampled_step_);
+  archive(logged_step_, framed_step_, sampled_step_);
   archive(wall_time_before_, kernel_time_);
 }
 

@@ -9,7 +9,9 @@
 // what a crash may cost is a person's time, and so is what a checkpoint costs. When it is written has no influence on
 // results. A run that stops early stops at a good step: after a fault at the last one before it (rewind.hpp). There it
 // writes a checkpoint and only then the outputs of that moment, which a resumed run takes away again; after a fault,
-// also the neighbourhood of the particle it names and the whole state for use as a start, but no final state.
+// also the neighbourhood of the particle it names and the whole state for use as a start, but no final state. A run that
+// has come to its end does the same, so that it can be extended: what it writes only because it ends is not in the files
+// of a longer one. Before it says that it is done, it looks whether its files are what it has written.
 #pragma once
 
 #include <chrono>
@@ -17,6 +19,7 @@
 
 #include "checkpoint_keeper.hpp"
 #include "collision_tracker.hpp"
+#include "found_run.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
 #include "plug_analysis.hpp"
@@ -42,9 +45,11 @@ class TimeLoop {
   Snapshot snapshot() const {
     return take_snapshot(view_, facts_.particle_count, facts_.has_gas ? facts_.slice_count : 0);
   }
-  void output(long long step, bool is_last);
+  void output(long long step, bool is_last = false);
   void log(const Snapshot&);
   void show();
+  void warn(const std::string&);
+  void warn_of_contacts();
   PlugSample plug_sample(const Snapshot&) const;
   bool checkpoint_is_due(long long step) const;
   void write_checkpoint();
@@ -63,8 +68,10 @@ class TimeLoop {
   const CaseFacts& facts_;
   const Options& options_;
   long long total_steps_;
+  bool is_resumed_;
   Energy start_energy_;
   double greatest_speed_ = 0;  ///< at outputs, m/s
+  bool has_warned_of_contacts_ = false;
 
   Outputs outputs_;
   std::optional<CollisionTracker> collision_;

@@ -41,10 +41,12 @@ void TimeLoop::write_stopped_state(const Status& status) {
 void TimeLoop::write_end(const Status& status, int signal) {
   progress_.clear();
   const bool is_sound = status.ok() && !step_is_too_large_;
-  if (!is_sound || signal != 0) {
-    write_stopped_state(status);
-    output(view_.step(), true);
-  }
+  const bool is_done = is_sound && signal == 0;
+  if (!is_done || options_.keeps_checkpoint) write_stopped_state(status);
+  if (is_done && options_.keeps_checkpoint) checkpoints_.remove_all_but(checkpoints_.last());
+  output(view_.step(), true);
+  const std::string damage = outputs_.damage();
+  if (is_done && !damage.empty()) throw Failure(exit_input_output, damage);
   Outcome outcome;
   outcome.status = !status.ok()         ? fault_name(status.fault)
                    : step_is_too_large_ ? "time_step_too_large"
@@ -55,6 +57,8 @@ void TimeLoop::write_end(const Status& status, int signal) {
   outcome.start_energy = start_energy_;
   outcome.energy = view_.energy();
   outcome.greatest_step_ratio = watch_.greatest_ratio();
+  outcome.steps_per_contact = contact_time_of(facts_, view_.deepest_overlap()) / facts_.time_step;
+  outcome.frames = outputs_.writes_frames() ? outputs_.frame_count() : -1;
   outcome.capacities = view_.capacities();
   outcome.wall_time = wall_time_before_ + seconds_since(begin_);
   outcome.kernel_time = kernel_time_;
@@ -67,7 +71,8 @@ void TimeLoop::write_end(const Status& status, int signal) {
   if (is_sound)
     write_state(options_.out / "final.fixdem", stored_state(facts_, outcome.snapshot, signal == 0, options_.duration));
   write_file(options_.out / "summary.json", encode_summary(facts_, options_, outcome), Durability::durable);
-  if (is_sound && signal == 0) checkpoints_.remove_all();
+  if (is_done && !options_.keeps_checkpoint) checkpoints_.remove_all_but("");
+  if (!damage.empty()) throw Failure(exit_input_output, damage);
   if (options_.quiet) return;
   std::string text = describe_outcome(facts_, outcome);
   text += fmt::format("results in {}: summary.json, log.csv", options_.out.string());

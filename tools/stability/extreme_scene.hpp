@@ -25,6 +25,7 @@
 
 #include "tools/run/case_adapter.hpp"
 #include "tools/run/case_facts.hpp"
+#include "tools/run/contact_time.hpp"
 #include "tools/run/energy_balance.hpp"
 #include "tools/run/fault_report.hpp"
 #include "tools/run/stability_watch.hpp"
@@ -47,12 +48,9 @@ struct Small : Own {
 template <class Case>
 constexpr double contact_time() {
   using D = Derived<Case>;
-  constexpr double pi = 3.14159265358979324;
-  if (!D::is_hertz) return pi * square_root(D::mass / 2 / D::stiffness_pair);
-  const auto hertz = [](double mass, double stiffness) {
-    return 2.9433 * exponential(0.4 * logarithm(1.25 * mass / stiffness));
-  };
-  const double pair = hertz(D::mass / 2, D::stiffness_pair), wall = hertz(D::mass, D::stiffness_wall);
+  if (!D::is_hertz) return linear_contact_time(D::mass / 2, D::stiffness_pair);
+  const double pair = hertz_contact_time(D::mass / 2, D::stiffness_pair, 1);
+  const double wall = hertz_contact_time(D::mass, D::stiffness_wall, 1);
   return pair < wall ? pair : wall;
 }
 
