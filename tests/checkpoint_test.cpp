@@ -21,7 +21,7 @@ namespace {
 Checkpoint example() {
   Checkpoint c;
   c.identity = {{"case", "settle"}, {"precision", "double"}};
-  c.duration = 0.2, c.seed = 7, c.frames = false, c.step = 1200, c.time = 0.0024;
+  c.duration = 0.2, c.case_duration = 0.1, c.start = 11, c.seed = 7, c.frames = false, c.step = 1200, c.time = 0.0024;
   c.outputs.log = {100, 200};
   c.outputs.dump = FilePosition{300, 400};
   c.outputs.frames = {{0.001, {5, 6}}, {0.002, {7, 8}}};
@@ -49,6 +49,8 @@ TEST_CASE("checkpoint: comes back as it was, and nothing else does") {
   const Checkpoint back = decode_checkpoint(bytes, "it");
   CHECK(back.identity == c.identity);
   CHECK(back.duration == 0.2);
+  CHECK(back.case_duration == 0.1);
+  CHECK(back.start == 11);
   CHECK(back.seed == 7);
   CHECK_FALSE(back.frames);
   CHECK(back.step == 1200);

@@ -185,6 +185,12 @@ TEST_CASE("schedule: whole steps nearest to the events, never skipped by roundin
     if (every.is_due(step)) steps.push_back(step), every.advance(step);
   CHECK(steps == std::vector<long long>{0, 2, 3, 5, 6, 8, 9});
   CHECK_FALSE(Schedule(0, 0.2).is_due(1000000));
+  for (const double interval : {1e14, 1e20, 1e300}) {  // the first event is at the start, the second is never
+    Schedule endless(interval, 2e-6);
+    CHECK(endless.is_due(0));
+    endless.advance(0);
+    CHECK_FALSE(endless.is_due(9000000000000000));
+  }
   Schedule decimal(0.01, 2e-6);
   long long last = 0;
   for (int k = 0; k < 120; ++k) decimal.advance(decimal.next()), last = decimal.next();

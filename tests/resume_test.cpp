@@ -13,8 +13,10 @@
 #include <vector>
 
 #include "program_run.hpp"
+#include "support.hpp"
 #include "tools/run/checkpoint.hpp"
 #include "tools/run/result_folder.hpp"
+#include "with_checksum.hpp"
 
 using namespace fixdem::tests;
 using fixdem::program::checkpoints_in;
@@ -69,7 +71,7 @@ TEST_CASE("resume: what is damaged is refused, and an older checkpoint that is g
   const ProgramRun older = resume(run.out, "--resume-from " + shell_word(checkpoints[1]));
   CHECK(older.exit_code == 0);
   CHECK(older.file("final.fixdem") == final_state());
-  CHECK(checkpoints_in(run.out).empty());
+  CHECK(checkpoints_in(run.out).size() == 1);
 }
 
 TEST_CASE("resume: the program of another case or precision is refused with what differs") {
@@ -77,9 +79,8 @@ TEST_CASE("resume: the program of another case or precision is refused with what
   const ProgramRun other = resume(run.out, "", "settle_mixed");
   CHECK(other.exit_code == 3);
   CHECK(contains(other.standard_error, "case: settle there, settle_mixed here"));
-  CHECK(contains(other.standard_error, "case file (XXH64): "));
   CHECK(contains(other.standard_error, "precision: double there, mixed here"));
-  for (const std::string arguments : {"--duration 0.007", "--seed 3", "--no-frames"}) {
+  for (const std::string arguments : {"--duration 0.005", "--seed 3", "--no-frames"}) {
     const ProgramRun contradicting = resume(run.out, arguments);
     CHECK(contradicting.exit_code == 2);
     CHECK_MESSAGE(contains(contradicting.standard_error, arguments.substr(0, arguments.find(' '))),
@@ -127,9 +128,9 @@ TEST_CASE("resume: begins where there is nothing to go on from, and says when al
   const ProgramRun second = resume(out, "--duration 0.006");
   CHECK(second.exit_code == 0);
   CHECK(contains(second.standard_error, "is done already"));
-  const ProgramRun longer = resume(out, "--duration 0.007");
-  CHECK(longer.exit_code == 3);
-  CHECK(contains(longer.standard_error, "the final state of another run (0.006 s of settle)"));
+  const ProgramRun shorter = resume(out, "--duration 0.005");
+  CHECK(shorter.exit_code == 2);
+  CHECK(contains(shorter.standard_error, "it can be made longer, not shorter"));
   CHECK(resume(out, "", "settle_mixed").exit_code == 3);
   CHECK(first.file("final.fixdem") == final_state());
 }
@@ -141,6 +142,40 @@ TEST_CASE("checkpoint: when one can be written is no influence on results, nor a
   CHECK(bare.file("log.csv") == read_bytes(scratch("whole") / "log.csv"));
   for (const char* interval : {"0", "-1", "nan", "1e-7", "x"})
     CHECK(run_program("settle", "bare", std::string("--checkpoint-interval ") + interval).exit_code == 2);
+}
+
+TEST_CASE("resume: a changed case is refused by the keys that have changed, with both values") {
+  const ProgramRun run = crashed("changed_case");
+  for (const files::path& path : checkpoints_in(run.out)) {
+    std::string bytes = read_bytes(path);
+    const std::string key = "[material] friction";
+    const std::size_t at = bytes.find(key);
+    REQUIRE(at != std::string::npos);
+    std::string& value = bytes.replace(at + key.size() + 8, 3, "0.4");  // behind its length
+    write_bytes(path, with_checksum(value));
+  }
+  const ProgramRun refused = resume(run.out);
+  CHECK(refused.exit_code == 3);
+  CHECK_MESSAGE(contains(refused.standard_error, "\n  [material] friction: 0.4 there, 0.3 here\n"),
+                refused.standard_error);
+  CHECK_FALSE(contains(refused.standard_error, "XXH64"));
+}
+
+TEST_CASE("resume: altered bytes with a checksum that fits are refused, or run on, but do not crash") {
+  const ProgramRun run = crashed("hostile");
+  const files::path path = checkpoints_in(run.out).front();
+  const std::string good = read_bytes(path);
+  Random chance(seed());
+  int refused = 0;
+  for (int k = 0; k < 40; ++k) {
+    std::string changed = good;
+    for (int c = 0; c < 400; ++c) changed[static_cast<std::size_t>(chance(6000, changed.size() - 8.0))] ^= 0x55;
+    write_bytes(path, with_checksum(changed));
+    const ProgramRun again = resume(run.out);
+    CHECK_MESSAGE(again.exit_code >= 0, again.standard_error);
+    refused += again.exit_code == 3;
+  }
+  CHECK(refused > 0);
 }
 
 namespace {
@@ -181,7 +216,7 @@ TEST_CASE("lock: a second run in the folder is refused, a lock whose owner is go
         shell_word(program("fill_500")) + " --quiet --duration 1e-4 " + arguments + " --out " + shell_word(out),
         "second", out);
   };
-  for (const char* arguments : {"", "--resume"}) {
+  for (const char* arguments : {"", "--resume", "--fresh", "--replace", "--extend 1"}) {
     const ProgramRun refused = second(arguments);
     CHECK(refused.exit_code == 6);
     CHECK_MESSAGE(contains(refused.standard_error, "in use by process " + std::to_string(first) + " on "),
@@ -190,7 +225,7 @@ TEST_CASE("lock: a second run in the folder is refused, a lock whose owner is go
   CHECK(contains(read_bytes(out / "log.csv"), log));
   CHECK(end(first, SIGKILL) == -SIGKILL);
   CHECK(files::exists(out / "lock"));
-  CHECK(second("").exit_code == 0);
+  CHECK(second("--replace").exit_code == 0);
   CHECK_FALSE(files::exists(out / "lock"));
   write_bytes(out / "lock", "process 1 on host of-someone-else\n");
   const ProgramRun elsewhere = second("");

@@ -76,6 +76,7 @@ run_part freestanding_test.py tests/freestanding_test.py "$reports/freestanding_
 run_part footprint_test.py tests/footprint_test.py "$reports/footprint_test.py.count" "$build/footprint-test" "$@"
 run_part peers_test.py tests/peers_test.py "$reports/peers_test.py.count"
 run_part scaling_test.py tests/scaling_test.py "$reports/scaling_test.py.count"
+run_part results_test.py tests/results_test.py "$build" "$reports/results_test.py.count"
 run_part kept_run_test.py tests/kept_run_test.py "$reports/kept_run_test.py.count"
 run_part lammps_files_test.py tests/lammps_files_test.py "$build" "$reports/lammps_files_test.py.count"
 [[ -z ${KILLS:-} ]] || run_part kill_test.py tests/kill_test.py "$build/bin" "$build/scratch/kill" --kills "$KILLS" \

@@ -87,7 +87,8 @@ FoundRun find_run(const files::path& out, double time_step) {
       if (is_possible_duration(found.duration, time_step)) ends_there = found.step >= steps_of(found.duration, time_step);
       take_facts(run, found);
       run.checkpoint = Resumable{all.front(), std::move(found)};
-    } catch (const Failure&) {
+    } catch (const Failure& failure) {
+      if (failure.code() != exit_bad_input) throw;
       ends_there = summary.is_object() && text_of(summary, "status") == "done";  // damaged: as far as is known
     }
   }

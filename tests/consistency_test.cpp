@@ -1,0 +1,132 @@
+// States whose bytes have come from outside: those that the kernel says may be run never lead it out of its arrays.
+//
+// The bytes of a running scene are changed at random, as by a checkpoint whose checksum has been made to fit: anywhere,
+// and within each array of indices. What is accepted is run on, over the next decisions about the order along the pipe:
+// into a fault or not, but without a crash, and with the bytes around the simulation untouched (with SAN=1 the
+// sanitizers look on). Untouched states of every age are accepted.
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <string>
+
+#include "cases/settle.hpp"
+#include "guarded.hpp"
+#include "scenes.hpp"
+#include "small_gas_scene.hpp"
+
+using namespace fixdem::tests;
+using namespace fixdem;
+
+namespace {
+
+constexpr int trials = 1500;
+
+template <class Case>
+class Hostile {
+ public:
+  Hostile() : object_(guarded<Case>()), chance_(seed()) {
+    enter({Case::name, seed()});
+    place_all(object_.simulation, layered_spheres<Case>(Case::pipe_length / 7, 0.5, Random(seed())));
+    REQUIRE(object_.simulation.start().ok());
+    for (int age : {0, 1, 15, 16, 700, 1500}) {
+      REQUIRE(object_.simulation.run(age).ok());
+      CHECK(object_.simulation.is_consistent());
+    }
+    good_.assign(bytes(), sizeof(Simulation<Case>));
+  }
+
+  /// Changes one to four bytes of a field again and again.
+  template <class Field>
+  void change(const char* what, Field& field) {
+    CAPTURE(what);
+    auto* first = reinterpret_cast<char*>(&field);
+    for (int k = 0; k < trials; ++k) {
+      const int changes = static_cast<int>(chance_(1, 5));
+      for (int c = 0; c < changes; ++c) {
+        char& byte = first[static_cast<std::size_t>(chance_(0, sizeof field))];
+        byte = static_cast<char>(chance_(0, 2) < 1 ? byte ^ (1 << static_cast<int>(chance_(0, 8))) : chance_(-128, 128));
+      }
+      try_it();
+    }
+  }
+
+  Simulation<Case>& simulation() { return object_.simulation; }
+  int accepted = 0, refused = 0;
+
+ private:
+  char* bytes() { return reinterpret_cast<char*>(&object_.simulation); }
+  void try_it() {
+    if (object_.simulation.is_consistent()) {
+      ++accepted;
+      object_.simulation.run(40);
+      object_.simulation.observe();
+      object_.simulation.particle(0);
+    } else {
+      ++refused;
+    }
+    if (!object_.intact()) FAIL("bytes outside the simulation have changed");
+    std::memcpy(bytes(), good_.data(), good_.size());
+  }
+
+  Guarded<Case>& object_;
+  Random chance_;
+  std::string good_;
+};
+
+template <class Case>
+void attack() {
+  static Hostile<Case> hostile;
+  State<Case>& s = hostile.simulation().state();
+  hostile.change("the whole", hostile.simulation());
+  CHECK(hostile.accepted > 0);
+  hostile.change("numbers of particles", s.particles.id);
+  hostile.change("places", s.particles.position);
+  hostile.change("ends of reach", s.near_list.end_of_reach);
+  hostile.change("owners", s.contacts.pairs.owner);
+  hostile.change("partners", s.contacts.pairs.partner);
+  hostile.change("bits of touching pairs", s.contacts.pairs.touching);
+  hostile.change("counts of pairs", s.contacts.pairs.count);
+  hostile.change("slots", s.contacts.slots);
+  hostile.change("buckets", s.contacts.bucket);
+  hostile.change("status", s.status);
+  if constexpr (Case::has_wall) hostile.change("walls", s.contacts.pipe);
+  if constexpr (Derived<Case>::has_ends) hostile.change("ends", s.contacts.ends);
+  CHECK(hostile.refused > trials);
+}
+
+}  // namespace
+
+TEST_CASE("consistency: a periodic pipe with gas") { attack<small_gas>(); }
+TEST_CASE("consistency: a closed pipe") { attack<small_closed>(); }
+
+TEST_CASE("consistency: single promises of a state") {
+  static Hostile<small_gas> hostile;
+  Simulation<small_gas>& simulation = hostile.simulation();
+  State<small_gas>& s = simulation.state();
+  const auto refused = [&](auto& value, auto broken) {
+    const auto good = value;
+    value = broken;
+    const bool is_accepted = simulation.is_consistent();
+    value = good;
+    CHECK(simulation.is_consistent());
+    return !is_accepted;
+  };
+  CHECK(refused(s.particles.id[3], -1));
+  CHECK(refused(s.particles.id[3], s.particles.id[4]));
+  CHECK(refused(s.particles.id[3], small_gas::particle_count));
+  CHECK(refused(s.particles.position[3][2], 1e300));
+  CHECK(refused(s.particles.position[3][2], __builtin_nan("")));
+  CHECK(refused(s.near_list.end_of_reach[5], 5));
+  CHECK(refused(s.near_list.end_of_reach[5], 5 + Capacity<small_gas>::chunk_size + 1));
+  CHECK(refused(s.contacts.pairs.count[0], -1));
+  CHECK(refused(s.contacts.pairs.count[0], Capacity<small_gas>::chunk_pairs + 1));
+  using Offset = typename Rows<small_gas>::Offset;
+  CHECK(refused(s.contacts.pairs.owner[0][0], static_cast<Offset>(s.contacts.pairs.owner[0][0] + 1)));
+  CHECK(refused(s.contacts.pairs.owner[0][0], Rows<small_gas>::offset(Capacity<small_gas>::chunk_size)));
+  CHECK(refused(s.contacts.pairs.touching[0], static_cast<std::uint16_t>(0x8000)));
+  CHECK(refused(s.contacts.slots[0][0], Rows<small_gas>::offset(Capacity<small_gas>::chunk_size)));
+  CHECK(refused(s.contacts.bucket[0][0], s.contacts.bucket[0][0] + 1));
+  CHECK(refused(s.contacts.rows[0][Rows<small_gas>::zero * Contacts<small_gas>::row_width], 1.0));
+  CHECK(refused(s.step, -1LL));
+  CHECK(refused(s.status.fault, Fault::overlap));
+}
