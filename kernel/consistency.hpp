@@ -1,7 +1,7 @@
 // Whether a state that comes from outside (a checkpoint's bytes) may be run: no number in it leads out of its array.
 //
-// A run keeps these promises by itself and checks none of them in a step, so whoever copies bytes into a simulation asks
-// here first. What is looked at, array by array:
+// A run keeps these promises by itself and checks none of them in a step, so whoever copies bytes into a simulation
+// asks here first. What is looked at, array by array:
 //   particles  id is a permutation; places are finite, inside the pipe and almost in order; motion is finite
 //   near list  end_of_reach stays within the candidates that a listing gathers
 //   pairs      counts fit; owners and partners of all lanes in use are rows of their range; bits of lanes that exist

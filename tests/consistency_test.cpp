@@ -44,7 +44,8 @@ class Hostile {
       const int changes = static_cast<int>(chance_(1, 5));
       for (int c = 0; c < changes; ++c) {
         char& byte = first[static_cast<std::size_t>(chance_(0, sizeof field))];
-        byte = static_cast<char>(chance_(0, 2) < 1 ? byte ^ (1 << static_cast<int>(chance_(0, 8))) : chance_(-128, 128));
+        byte =
+            static_cast<char>(chance_(0, 2) < 1 ? byte ^ (1 << static_cast<int>(chance_(0, 8))) : chance_(-128, 128));
       }
       try_it();
     }

@@ -218,6 +218,7 @@ TEST_CASE("fault report: contact time, advice and exit codes") {
   CaseFacts facts{};
   facts.mass = 3.14159265358979 / 6 * 1e-3, facts.density = 1000, facts.diameter = 0.01;
   facts.stiffness_pair = 1.122e8, facts.stiffness_wall = 1.587e8;
+  facts.particle_count = 150, facts.has_wall = true;
   CHECK(contact_time(facts, 1.0) == doctest::Approx(7.16e-5).epsilon(0.002));  // pair; a wall: 8.22e-5 s
   facts.time_step = 1e-5;
   const Status status{Fault::overlap, 318, 41213, 0.61, 0.5};

@@ -55,9 +55,9 @@ TEST_CASE("program: a short run of every shipped case") {
     const ProgramRun run = run_program(name, name, "--duration 0.0004" + start_option(name));
     REQUIRE_MESSAGE(run.exit_code == 0, run.standard_error);
     const json s = run.summary();
-    check_keys(s, {"case", "case_hash", "features", "precision", "integrator", "time_step", "steps", "status", "final",
-                   "stability", "energy", "capacity", "performance", "plug", "collision", "particles",
-                   "kernel", "start_state", "duration", "frames"});
+    check_keys(s, {"case",      "case_hash", "features",  "precision",   "integrator", "time_step",   "steps",
+                   "status",    "final",     "stability", "energy",      "capacity",   "performance", "plug",
+                   "collision", "particles", "kernel",    "start_state", "duration",   "frames"});
     check_keys(s["stability"], {"greatest_step_ratio", "steps_per_contact", "steps_per_contact_needed"});
     check_keys(s["final"], {"time", "kinetic_energy", "contacts", "coordination_number", "max_overlap", "max_speed",
                             "mean_axial_velocity", "mean_height", "state_hash"});

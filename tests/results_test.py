@@ -188,6 +188,20 @@ class Signals(Results):
         self.assertEqual(len(list((self.folder / "run").glob("checkpoint-*"))), 1)
 
 
+class Page(WithFolder):
+    def test_a_step_that_is_too_long_for_contacts_is_never_called_stable(self):
+        root = Path(__file__).resolve().parent.parent
+        for folder in ("tools/run_report", "tools/report"):
+            sys.path.insert(0, str(root / folder))
+        from page_content import time_step_verdicts
+
+        stability = {"greatest_step_ratio": 0.602, "steps_per_contact": 3.5, "steps_per_contact_needed": 20.0}
+        words = [row["word"] for row in time_step_verdicts(stability)]
+        self.assertEqual(words, ["too long for its contacts", "fewer than 20: results may be wrong"])
+        self.assertEqual([row["word"] for row in time_step_verdicts({**stability, "steps_per_contact": 36.2})], ["stable", "enough"])
+        self.assertEqual([row["word"] for row in time_step_verdicts({**stability, "steps_per_contact": None})], ["stable"])
+
+
 class Files(Results):
     def test_a_log_that_is_changed_during_the_run_is_noticed(self):
         running = self.start("--duration", "50")

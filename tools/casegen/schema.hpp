@@ -118,7 +118,7 @@ struct Rule : Key {
   std::string allowed() const;    ///< "above 0 and at most 1", "\"hertz\", \"linear\""
   std::string plausible() const;  ///< "1e-06 to 0.5"; empty when nothing is warned of
   bool is_plausible(const Record& record) const;
-  std::string default_value() const;  ///< as written in TOML; empty when the key is required
+  std::string default_value() const;          ///< as written in TOML; empty when the key is required
   std::string value_in(const Record&) const;  ///< as written in TOML
 };
 

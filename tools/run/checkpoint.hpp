@@ -3,13 +3,13 @@
 // Layout: "FIXDEMCP", byte-order mark and version (binary_file.hpp), then in this order
 //   identity   pairs of texts: what must be the same in the program that reads it (case, the values of its keys,
 //              precision, kernel, capacities, size of the simulation, ...), so that a refusal can say what differs
-//   options    duration in s, that of the case, seed, whether frames are written, XXH64 of the state that it started from (0: of none)
-//   moment     step, time in s
-//   outputs    size and XXH64 of log, dump and each frame at that moment
+//   options    duration in s, that of the case, seed, whether frames are written, XXH64 of the state that it started
+//   from (0: of none) moment     step, time in s outputs    size and XXH64 of log, dump and each frame at that moment
 //   simulation the bytes of the object Simulation<Case>: it has no pointers and one layout for every lane width
 //   program    what the program itself keeps: schedules, start energy, plug samples, collision, warnings given
 // and the checksum. What is damaged or differs is refused with exit code 3. A file whose checksum has been made to fit
-// its changes is looked through as well: no index of the simulation may lead outside its array (kernel/consistency.hpp).
+// its changes is looked through as well: no index of the simulation may lead outside its array
+// (kernel/consistency.hpp).
 #pragma once
 
 #include <cstdint>

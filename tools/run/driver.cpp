@@ -70,7 +70,8 @@ class Beginning {
     const std::string what = differences(there, facts_, view_, options_);
     const std::string out = options_.out.string();
     std::string advice =
-        "\n  begin anew with --fresh, which moves it to a numbered folder beside (with make: FRESH=1), or choose another "
+        "\n  begin anew with --fresh, which moves it to a numbered folder beside (with make: FRESH=1), or choose "
+        "another "
         "--out";
     if (there.is_finished && what.empty()) {
       if (there.checkpoint)
@@ -107,9 +108,10 @@ double wanted_duration(const CaseFacts& facts, const Options& options, double th
   if (!is_possible_duration(wanted, facts.time_step))
     throw Failure(exit_wrong_usage, fmt::format("a duration of {} s is more than {:.0e} steps", wanted, most_steps));
   if (steps_of(wanted, facts.time_step) < steps_of(there, facts.time_step))
-    throw Failure(exit_wrong_usage, fmt::format("cannot go on with {}: its run has a duration of {} s, and {} s are asked "
-                                                "for\n  it can be made longer, not shorter; begin anew with --fresh",
-                                                where, there, wanted));
+    throw Failure(exit_wrong_usage,
+                  fmt::format("cannot go on with {}: its run has a duration of {} s, and {} s are asked "
+                              "for\n  it can be made longer, not shorter; begin anew with --fresh",
+                              where, there, wanted));
   return wanted;
 }
 
@@ -118,7 +120,8 @@ int go_on(SimulationView& view, const CaseFacts& facts, Options options, const I
   Checkpoint& checkpoint = from.checkpoint;
   const std::string name = from.path.string();
   const auto refuse_damaged = [&](const std::string& what) {
-    throw Failure(exit_bad_input, fmt::format("{} is damaged: {}{}", name, what, offer_older(from.path, here, options)));
+    throw Failure(exit_bad_input,
+                  fmt::format("{} is damaged: {}{}", name, what, offer_older(from.path, here, options)));
   };
   if (checkpoint.simulation.size() != view.memory().size()) refuse_damaged("its simulation has another size");
   std::copy(checkpoint.simulation.begin(), checkpoint.simulation.end(), view.memory().begin());
@@ -128,8 +131,8 @@ int go_on(SimulationView& view, const CaseFacts& facts, Options options, const I
   catch_interrupts();
   if (options.duration != checkpoint.duration) {
     if (const std::string what = difference(options, checkpoint.outputs); !what.empty())
-      throw Failure(exit_bad_input, fmt::format("cannot resume: {}\n  put back what it was, or begin anew with --fresh",
-                                                what));
+      throw Failure(exit_bad_input,
+                    fmt::format("cannot resume: {}\n  put back what it was, or begin anew with --fresh", what));
     // From here on it is a longer run: should it be stopped, --resume goes on to the new end.
     checkpoint.duration = options.duration;
     write_file(checkpoint_path(options.out, checkpoint.step), encode_checkpoint(checkpoint), Durability::durable);
@@ -149,9 +152,10 @@ int go_on(SimulationView& view, const CaseFacts& facts, Options options, const I
 int go_on_with_finished(SimulationView& view, const CaseFacts& facts, Options options, FoundRun there) {
   const std::string out = options.out.string();
   if (const std::string what = differences(there, facts, view); !what.empty())
-    throw Failure(exit_bad_input, fmt::format("cannot resume: {} holds {}, which is of another program than this one:{}\n"
-                                              "  begin anew with --fresh, or choose another --out",
-                                              out, there.words, what));
+    throw Failure(exit_bad_input,
+                  fmt::format("cannot resume: {} holds {}, which is of another program than this one:{}\n"
+                              "  begin anew with --fresh, or choose another --out",
+                              out, there.words, what));
   check_options(options, out, there.seed, there.frames, there.start);
   const Identity here = identity(facts, view);
   std::optional<Resumable> from;
@@ -193,9 +197,10 @@ int resume(SimulationView& view, const CaseFacts& facts, Options options) {
     if (options.extension > 0)
       throw Failure(exit_input_output, fmt::format("there is no finished run in {} to extend", out));
     if (!there.identity.empty())  // it has come to a moment that cannot be gone on from
-      throw Failure(exit_bad_input, fmt::format("cannot resume: there is no checkpoint in {}, but {}\n  begin anew with "
-                                                "--fresh, or choose another --out",
-                                                out, there.words));
+      throw Failure(exit_bad_input,
+                    fmt::format("cannot resume: there is no checkpoint in {}, but {}\n  begin anew with "
+                                "--fresh, or choose another --out",
+                                out, there.words));
   }
   say(fmt::format("there is no checkpoint in {}: the run begins at its beginning", out));
   return Beginning(view, facts, options, true).run();

@@ -20,8 +20,8 @@ std::string fault_sentence(const CaseFacts&, const Status&);
 /// speed seen before the fault; the case's reference speed if that is 0): 20 steps per contact are asked for.
 std::string fault_advice(const CaseFacts&, const Status&, double speed);
 
-/// Empty where a contact has time steps enough for a true rebound; otherwise the warning: by the deepest overlap so far,
-/// m, or before there is one by the speed that the case expects.
+/// Empty where a contact has time steps enough for a true rebound; otherwise the warning: by the deepest overlap so
+/// far, m, or before there is one by the speed that the case expects.
 std::string contact_warning(const CaseFacts&, double deepest_overlap);
 
 /// Duration of the shortest contact that the case can have, of two particles or with a wall, without damping, at this

@@ -32,7 +32,9 @@ std::string text_of(const json& summary, const char* key) {
   return at != summary.end() && at->is_string() ? at->get<std::string>() : std::string();
 }
 
-std::uint64_t hexadecimal(const std::string& text) { return text.empty() ? 0 : std::strtoull(text.c_str(), nullptr, 16); }
+std::uint64_t hexadecimal(const std::string& text) {
+  return text.empty() ? 0 : std::strtoull(text.c_str(), nullptr, 16);
+}
 
 /// What a summary says of its run.
 void take_facts(FoundRun& run, const json& summary) {
@@ -63,12 +65,11 @@ std::string describe(const FoundRun& run, const json& summary, bool has_final_st
   if (run.is_finished) return fmt::format("the finished run{}, {:.6g} s", of, run.duration);
   const std::string status = summary.is_object() ? text_of(summary, "status") : "";
   if (run.checkpoint)
-    return fmt::format("{} run{}, {:.6g} s of {:.6g} s",
-                       status.empty() || status == "done" || status == "interrupted" ? "an unfinished"
-                                                                                     : "a failed (" + status + ")",
-                       of, run.checkpoint->checkpoint.time, run.duration);
-  return fmt::format("results{} without a checkpoint{}", of,
-                     has_final_state ? "" : " and without a final state");
+    return fmt::format(
+        "{} run{}, {:.6g} s of {:.6g} s",
+        status.empty() || status == "done" || status == "interrupted" ? "an unfinished" : "a failed (" + status + ")",
+        of, run.checkpoint->checkpoint.time, run.duration);
+  return fmt::format("results{} without a checkpoint{}", of, has_final_state ? "" : " and without a final state");
 }
 
 }  // namespace
@@ -84,7 +85,8 @@ FoundRun find_run(const files::path& out, double time_step) {
     ends_there = false;
     try {
       Checkpoint found = decode_checkpoint(read_file(all.front(), "checkpoint"), all.front().string());
-      if (is_possible_duration(found.duration, time_step)) ends_there = found.step >= steps_of(found.duration, time_step);
+      if (is_possible_duration(found.duration, time_step))
+        ends_there = found.step >= steps_of(found.duration, time_step);
       take_facts(run, found);
       run.checkpoint = Resumable{all.front(), std::move(found)};
     } catch (const Failure& failure) {
@@ -127,12 +129,12 @@ std::string differences(const FoundRun& there, const CaseFacts& facts, Simulatio
 void check_options(const Options& options, const std::string& where, std::uint64_t seed, bool frames,
                    std::uint64_t start) {
   const auto refuse = [&](const char* option, const std::string& there, const std::string& given) {
-    throw Failure(exit_wrong_usage,
-                  fmt::format("cannot go on with {}: its run has {} {}, and {} is asked for\n  leave "
-                              "out {}, or begin anew with --fresh",
-                              where, option, there, given, option));
+    throw Failure(exit_wrong_usage, fmt::format("cannot go on with {}: its run has {} {}, and {} is asked for\n  leave "
+                                                "out {}, or begin anew with --fresh",
+                                                where, option, there, given, option));
   };
-  if (options.seed_is_given && options.seed != seed) refuse("--seed", fmt::format("{}", seed), fmt::format("{}", options.seed));
+  if (options.seed_is_given && options.seed != seed)
+    refuse("--seed", fmt::format("{}", seed), fmt::format("{}", options.seed));
   if (!options.frames && frames) refuse("--no-frames", "not set", "it");
   if (options.start_state && options.start_hash != start)
     refuse("--start-state", fmt::format("a file of XXH64 {:016x}", start),

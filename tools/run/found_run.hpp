@@ -1,8 +1,8 @@
 // What an earlier run has left in a folder, and whether it is the one that is asked for.
 //
-// A run is finished when summary.json says `done`, the final state is that of its end, and no checkpoint of a longer run
-// lies there (an extension that has been stopped). What it was is read from its latest checkpoint or, where none has
-// been kept, from summary.json. Nothing in the folder is changed.
+// A run is finished when summary.json says `done`, the final state is that of its end, and no checkpoint of a longer
+// run lies there (an extension that has been stopped). What it was is read from its latest checkpoint or, where none
+// has been kept, from summary.json. Nothing in the folder is changed.
 #pragma once
 
 #include <filesystem>
@@ -23,8 +23,8 @@ struct Resumable {
 struct FoundRun {
   bool is_there = false;  ///< any result at all
   bool is_finished = false;
-  Identity identity;     ///< as far as it is known; from summary.json alone a part
-  double duration = 0;   ///< s, asked for
+  Identity identity;    ///< as far as it is known; from summary.json alone a part
+  double duration = 0;  ///< s, asked for
   std::uint64_t seed = 0, start = 0;
   bool frames = true;
   bool is_known = false;                ///< the last five are

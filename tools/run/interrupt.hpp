@@ -5,8 +5,8 @@
 // program sees two within a millisecond. A repetition must not cost the state that is being written; only from the
 // third on, and five seconds after the first, does one end the program at once, for somebody who cannot wait for a slow
 // disk. SIGXCPU, which comes every second, never does. SIGPIPE is ignored: a reader of the table that goes away
-// (`| head`) must not cost the run its results. So is SIGXFSZ: a write beyond the limit on the size of files fails then,
-// and is reported like a full disk.
+// (`| head`) must not cost the run its results. So is SIGXFSZ: a write beyond the limit on the size of files fails
+// then, and is reported like a full disk.
 #pragma once
 
 namespace fixdem::program {

@@ -77,7 +77,8 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
   app.set_version_flag(
       "--version", [&] { return version_text(facts, view); }, "what is compiled into this program");
   app.footer(
-      "Results: log.csv, frames.pvd, frames/, final.fixdem, summary.json; checkpoint-STEP.fixdem, to go on from.\nExit codes: 0 done, 2 wrong usage, "
+      "Results: log.csv, frames.pvd, frames/, final.fixdem, summary.json; checkpoint-STEP.fixdem, to go on from.\nExit "
+      "codes: 0 done, 2 wrong usage, "
       "3 bad case or input, 4 capacity exceeded,\n5 unstable or non-finite, 6 input/output, 128 + signal.");
 
   try {
@@ -134,8 +135,8 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
     const bool given = duration->count() > 0;
     throw Failure(given ? exit_wrong_usage : exit_bad_input,
                   fmt::format("{} {}: a time in seconds, zero or more and below {:.3g} ({:.0e} steps), is needed",
-                              given ? "--duration" : fmt::format("{}: [run] duration =", facts.source), options.duration,
-                              most_steps * facts.time_step, most_steps));
+                              given ? "--duration" : fmt::format("{}: [run] duration =", facts.source),
+                              options.duration, most_steps * facts.time_step, most_steps));
   }
   return options;
 }

@@ -15,7 +15,7 @@ struct Options {
   std::optional<std::filesystem::path> start_state;  ///< given explicitly, instead of ../<other>/final.fixdem
   std::uint64_t start_hash = 0;                      ///< XXH64 of the state that the run starts from; 0: of no file
   unsigned long long seed = 0;
-  double duration = 0;  ///< s
+  double duration = 0;   ///< s
   double extension = 0;  ///< s beyond the duration of the finished run in the folder
   bool quiet = false;
   bool watch = false;  ///< a live picture instead of the table, if there is a terminal

@@ -114,9 +114,10 @@ void AppendedFile::append(std::string_view record) {
   if (::fstat(descriptor_, &status) != 0) fail("write", path_, errno);
   if (status.st_nlink == 0) fail("write", path_, ENOENT);  // deleted meanwhile
   if (const auto size = static_cast<std::uint64_t>(status.st_size); size != size_)
-    throw Failure(exit_input_output, fmt::format("{} has been changed by somebody else while the run writes it: it has {} "
-                                                 "bytes, and had {}",
-                                                 path_.string(), size, size_));
+    throw Failure(exit_input_output,
+                  fmt::format("{} has been changed by somebody else while the run writes it: it has {} "
+                              "bytes, and had {}",
+                              path_.string(), size, size_));
   if (const int error = write_all(descriptor_, record); error != 0) {
     // Back to the last whole record; that this works too is not worth a second message.
     if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) ::lseek(descriptor_, 0, SEEK_END);

@@ -16,8 +16,8 @@ std::filesystem::path dump_path(const Options& options) { return options.out / "
 FilePosition checked_log(const Options& options, const OutputPosition* continued) {
   if (continued == nullptr) return {};
   if (const std::string what = difference(options, *continued); !what.empty())
-    throw Failure(exit_bad_input, fmt::format("cannot resume: {}\n  put back what it was, or begin anew with --fresh",
-                                              what));
+    throw Failure(exit_bad_input,
+                  fmt::format("cannot resume: {}\n  put back what it was, or begin anew with --fresh", what));
   tidy_folder(options.out, static_cast<int>(continued->frames.size()));
   return continued->log;
 }
@@ -64,9 +64,10 @@ std::string Outputs::damage() const {
   is_longer(log_path(options_), now.log);
   if (now.dump) is_longer(dump_path(options_), *now.dump);
   if (what.empty()) return what;
-  return fmt::format("{}: somebody else has written there during the run\n  put back what it was and go on with --resume, or "
-                     "begin anew with --fresh",
-                     what);
+  return fmt::format(
+      "{}: somebody else has written there during the run\n  put back what it was and go on with --resume, or "
+      "begin anew with --fresh",
+      what);
 }
 
 void Outputs::flush() {

@@ -115,8 +115,8 @@ files::path move_aside(const files::path& out) {
   for (const files::path& name : names) {
     if (!files::exists(files::symlink_status(from / name, error))) continue;
     if (disk::rename((from / name).c_str(), (to / name).c_str()) != 0)
-      throw Failure(exit_input_output, fmt::format("cannot move {} to {}: {}", (from / name).string(), to.string(),
-                                                   std::strerror(errno)));
+      throw Failure(exit_input_output,
+                    fmt::format("cannot move {} to {}: {}", (from / name).string(), to.string(), std::strerror(errno)));
   }
   flush_folder(to);
   flush_folder(from);

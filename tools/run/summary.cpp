@@ -78,43 +78,43 @@ std::string encode_summary(const CaseFacts& facts, const Options& options, const
   Json capacity = Json::object();
   for (const CapacityUse& use : outcome.capacities)
     capacity[use.name] = {{"limit", use.limit}, {"high_water", use.high_water}};
-  const Json summary = {{"case", facts.name},
-                        {"case_hash", fmt::format("{:016x}", facts.source_hash)},
-                        {"kernel", facts.kernel},
-                        {"start_state", options.start_hash != 0 ? Json(fmt::format("{:016x}", options.start_hash))
-                                                                : Json(nullptr)},
-                        {"features", features(facts)},
-                        {"precision", precision_name(facts.precision)},
-                        {"integrator", integrator_name(facts.integrator)},
-                        {"time_step", facts.time_step},
-                        {"duration", options.duration},
-                        {"steps", outcome.snapshot.step},
-                        {"status", outcome.status},
-                        {"seed", facts.start == StartKind::random ? Json(options.seed) : Json(nullptr)},
-                        {"final",
-                         {{"time", outcome.snapshot.time},
-                          {"kinetic_energy", number(o.kinetic_translation + o.kinetic_rotation)},
-                          {"contacts", o.contacts + o.wall_contacts},
-                          {"coordination_number", number(o.coordination_number)},
-                          {"max_overlap", number(o.max_overlap)},
-                          {"max_speed", number(o.max_speed)},
-                          {"mean_axial_velocity", number(o.mean_axial_velocity)},
-                          {"mean_height", number(o.mean_height)},
-                          {"state_hash", state_hash(outcome.snapshot)}}},
-                        {"frames", outcome.frames >= 0 ? Json(outcome.frames) : Json(nullptr)},
-                        {"stability",
-                         {{"greatest_step_ratio", number(outcome.greatest_step_ratio)},
-                          {"steps_per_contact", number(outcome.steps_per_contact)},
-                          {"steps_per_contact_needed", fewest_steps_per_contact}}},
-                        {"energy", energy(facts, outcome)},
-                        {"capacity", capacity},
-                        {"performance",
-                         {{"wall_time", outcome.wall_time},
-                          {"kernel_time", outcome.kernel_time},
-                          {"particle_steps_per_second", rate(facts, outcome)}}},
-                        {"plug", outcome.plug ? plug(*outcome.plug) : Json(nullptr)},
-                        {"collision", collision(outcome)},
-                        {"particles", particles(outcome)}};
+  const Json summary = {
+      {"case", facts.name},
+      {"case_hash", fmt::format("{:016x}", facts.source_hash)},
+      {"kernel", facts.kernel},
+      {"start_state", options.start_hash != 0 ? Json(fmt::format("{:016x}", options.start_hash)) : Json(nullptr)},
+      {"features", features(facts)},
+      {"precision", precision_name(facts.precision)},
+      {"integrator", integrator_name(facts.integrator)},
+      {"time_step", facts.time_step},
+      {"duration", options.duration},
+      {"steps", outcome.snapshot.step},
+      {"status", outcome.status},
+      {"seed", facts.start == StartKind::random ? Json(options.seed) : Json(nullptr)},
+      {"final",
+       {{"time", outcome.snapshot.time},
+        {"kinetic_energy", number(o.kinetic_translation + o.kinetic_rotation)},
+        {"contacts", o.contacts + o.wall_contacts},
+        {"coordination_number", number(o.coordination_number)},
+        {"max_overlap", number(o.max_overlap)},
+        {"max_speed", number(o.max_speed)},
+        {"mean_axial_velocity", number(o.mean_axial_velocity)},
+        {"mean_height", number(o.mean_height)},
+        {"state_hash", state_hash(outcome.snapshot)}}},
+      {"frames", outcome.frames >= 0 ? Json(outcome.frames) : Json(nullptr)},
+      {"stability",
+       {{"greatest_step_ratio", number(outcome.greatest_step_ratio)},
+        {"steps_per_contact", number(outcome.steps_per_contact)},
+        {"steps_per_contact_needed", fewest_steps_per_contact}}},
+      {"energy", energy(facts, outcome)},
+      {"capacity", capacity},
+      {"performance",
+       {{"wall_time", outcome.wall_time},
+        {"kernel_time", outcome.kernel_time},
+        {"particle_steps_per_second", rate(facts, outcome)}}},
+      {"plug", outcome.plug ? plug(*outcome.plug) : Json(nullptr)},
+      {"collision", collision(outcome)},
+      {"particles", particles(outcome)}};
   return summary.dump(2) + "\n";
 }
 
@@ -125,8 +125,9 @@ std::string describe_outcome(const CaseFacts& facts, const Outcome& outcome) {
   if (facts.energy_ledger)
     text += fmt::format("energy balance error {:.2e}\n", balance_error(outcome.start_energy, outcome.energy));
   if (outcome.steps_per_contact < fewest_steps_per_contact)
-    text += fmt::format("only {:.1f} steps per contact at the deepest overlap ({:.0f} are needed): results may be wrong\n",
-                        outcome.steps_per_contact, fewest_steps_per_contact);
+    text +=
+        fmt::format("only {:.1f} steps per contact at the deepest overlap ({:.0f} are needed): results may be wrong\n",
+                    outcome.steps_per_contact, fewest_steps_per_contact);
   text += describe_capacities(outcome.capacities);
   if (outcome.plug && std::isfinite(outcome.plug->front_velocity)) {
     const PlugResult& p = *outcome.plug;

@@ -9,9 +9,9 @@
 // what a crash may cost is a person's time, and so is what a checkpoint costs. When it is written has no influence on
 // results. A run that stops early stops at a good step: after a fault at the last one before it (rewind.hpp). There it
 // writes a checkpoint and only then the outputs of that moment, which a resumed run takes away again; after a fault,
-// also the neighbourhood of the particle it names and the whole state for use as a start, but no final state. A run that
-// has come to its end does the same, so that it can be extended: what it writes only because it ends is not in the files
-// of a longer one. Before it says that it is done, it looks whether its files are what it has written.
+// also the neighbourhood of the particle it names and the whole state for use as a start, but no final state. A run
+// that has come to its end does the same, so that it can be extended: what it writes only because it ends is not in the
+// files of a longer one. Before it says that it is done, it looks whether its files are what it has written.
 #pragma once
 
 #include <chrono>

@@ -11,6 +11,21 @@ def entry(what, found, word, why, tone=""):
     return {"what": what, "found": found, "word": word, "why": why, "tone": tone}
 
 
+def time_step_verdicts(stability):
+    """Of the bound on the step, and of the steps that a contact has: a step that is too long for contacts is not called stable."""
+    rows = []
+    ratio, found, needed = (stability.get(key) for key in ("greatest_step_ratio", "steps_per_contact", "steps_per_contact_needed"))
+    is_coarse = found is not None and found < needed
+    if ratio is not None:
+        word, tone = ("beyond the bound", "bad") if ratio > 1 else ("too long for its contacts", "bad") if is_coarse else ("stable", "good")
+        rows.append(entry("time step", f"{ratio:.3g} of the stable one at most", word,
+                          "stable up to 1, looked at with every row of the log, where contacts have steps enough", tone))  # fmt: skip
+    if found is not None:
+        word, tone = (f"fewer than {needed:g}: results may be wrong", "bad") if is_coarse else ("enough", "good")
+        rows.append(entry("steps per contact", f"{found:.3g} at the deepest overlap", word, f"{needed:g} are needed for a true rebound", tone))
+    return rows
+
+
 def verdicts(summary, log, case):
     """A list of what was measured, a word for it, and the rule that the word follows from."""
     rows = []
@@ -19,10 +34,7 @@ def verdicts(summary, log, case):
         entry("the run", f"{number(summary['steps'])} steps, {summary['final']['time']:.6g} s", summary["status"],
               "status of summary.json; done: to its end, without a fault", "good" if done else "bad")
     )  # fmt: skip
-    ratio = (summary.get("stability") or {}).get("greatest_step_ratio")
-    if ratio is not None:
-        word, tone = ("stable", "good") if ratio <= 1 else ("beyond the bound", "bad")
-        rows.append(entry("time step", f"{ratio:.3g} of the stable one at most", word, "stable up to 1, looked at with every row of the log", tone))
+    rows += time_step_verdicts(summary.get("stability") or {})
     overlap = max((v for v in log["max overlap / radius"] if v is not None), default=None)
     if overlap is not None:
         limit = case.get("run", {}).get("overlap_warning", 0.1)

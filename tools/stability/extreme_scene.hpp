@@ -4,7 +4,8 @@
 // pieces, with the watch of a program (tools/run/stability_watch.hpp) after each; the first fault, the watch's stop, or
 // the end of the scene decides. The verdict is one of
 //   stable         ran to its end; the answer is right as far as the scene can tell
-//   warned         the same, and the watch has warned: the answer may be wrong, and the user has been told
+//   warned         the same, and the watch, or the count of steps per contact, has warned: the answer may be wrong, and
+//                  the user has been told
 //   refused        the kernel would not start
 //   stopped        a fault, or the watch, ended the run with a message
 //   DEFECT         a value that is no number, an energy out of nothing, or a wrong rebound, without a word
@@ -119,6 +120,7 @@ Row run_scene(const std::vector<Particle>& particles, long long steps, bool is_c
     must_stop = status.ok() && watch.look(simulation.time(), view.contacts(), seen.max_overlap);
     warning += watch.take_warning();
   }
+  warning += program::contact_warning(facts, simulation.deepest_overlap());
   const Energy end = simulation.energy();
   row.balance_error = program::balance_error(begin, end), row.max_overlap = deepest / facts.radius();
   if (is_collision && status.ok()) row.restitution = -closing() / before;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/run/contact_time.hpp"
 #include "tools/run/fault_report.hpp"
 
 namespace fixdem::stability {
@@ -19,7 +20,7 @@ std::vector<Rule> rules_of_thumb(const program::CaseFacts& facts, double youngs_
   }
   const double hertz = program::contact_time(facts, speed);
   rules.push_back({"contact time at the greatest speed", hertz});
-  rules.push_back({"contact time at the greatest speed / 20", hertz / 20});
+  rules.push_back({"contact time at the greatest speed / 20", hertz / fewest_steps_per_contact});
   if (contacts.empty()) return rules;
 
   const auto springs = springs_of(contacts, facts.normal, facts.pair_contact, facts.wall_contact);
