@@ -19,7 +19,7 @@ using namespace fixdem;
 
 namespace {
 
-constexpr int trials = 1500;
+constexpr int trials = 300;
 
 template <class Case>
 class Hostile {

@@ -43,6 +43,7 @@ class Results(WithFolder):
     def start(self, *options, out="run", case="settle"):
         """A run that is under way: the first row of its log is there."""
         running = subprocess.Popen([program(case), "--quiet", "--out", self.folder / out, *options], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(running.stderr.close)
         self.addCleanup(running.kill)
         log, end = self.folder / out / "log.csv", time.monotonic() + 60
         while time.monotonic() < end and not (log.exists() and log.read_text().count("\n") > 1):
@@ -71,6 +72,7 @@ class NothingIsLost(Results):
         self.refuse(6, ("case: settle there, collide_pair here", "[particles] count: 150 there, 2 here"), case="collide_pair")
         self.assertEqual(self.bytes_of(), before)
         self.crashed("stopped")
+        (self.folder / "stopped" / "lock").unlink()  # of the dead: it is taken over, and goes
         names = sorted(p.name for p in (self.folder / "stopped").iterdir())
         self.refuse(6, ("an unfinished run of settle", "RESUME=1"), "--duration", "0.006", out="stopped")
         self.assertEqual(sorted(p.name for p in (self.folder / "stopped").iterdir()), names)
