@@ -66,6 +66,20 @@ TEST_CASE("program: a start state that is damaged or does not fit is refused wit
   const StoredState good = pile(500, "fill_500");
   const std::string bytes = encode_state(good);
   CHECK(start_from(bytes, "good").exit_code == 0);
+  // The finished run is that of this state and no other.
+  const auto again = [](const std::filesystem::path& state) {
+    return run_command(shell_word(program("plug_u24_n500")) + " --resume --duration 0.0002 --out " +
+                           shell_word(scratch("good")) + " --start-state " + shell_word(state),
+                       "again", scratch("good"));
+  };
+  CHECK(again(scratch("start.fixdem")).exit_code == 0);
+  CHECK(again("/nowhere/at/all").exit_code == 6);
+  StoredState moved = good;
+  moved.particles[3].velocity[0] = 1e-3;
+  write_bytes(scratch("moved.fixdem"), encode_state(moved));
+  const ProgramRun contradicting = again(scratch("moved.fixdem"));
+  CHECK(contradicting.exit_code == 2);
+  CHECK_MESSAGE(contains(contradicting.standard_error, "--start-state"), contradicting.standard_error);
   const auto refused = [&](const std::string& state, const std::string& reason) {
     CAPTURE(reason);
     const ProgramRun run = start_from(state, "refused");

@@ -93,7 +93,7 @@ class NothingIsLost(Results):
         here = self.folder / "here"
         here.mkdir()
         for duration in ("0.001", "0.002"):
-            done = subprocess.run([program("settle"), "--quiet", "--fresh", "--out", ".", "--duration", duration], cwd=here, check=False)
+            done = subprocess.run([program("settle"), "--quiet", "--fresh", "--out", ".", "--duration", duration], cwd=here, check=False, stderr=subprocess.DEVNULL)
             self.assertEqual(done.returncode, 0)
         self.assertEqual(json.loads((self.folder / "here.1" / "summary.json").read_text())["duration"], 0.001)
 
@@ -178,6 +178,7 @@ class Signals(Results):
             running = self.start("--duration", "50", out=out)
             for _ in range(3):
                 running.send_signal(signal.SIGTERM)
+                time.sleep(0.001)
             self.assertEqual(running.wait(), 128 + signal.SIGTERM)
             self.assertEqual(len(list((self.folder / out).glob("checkpoint-*"))), 1)
             self.assertEqual(json.loads((self.folder / out / "summary.json").read_text())["status"], "interrupted")

@@ -190,7 +190,7 @@ final-state: start-state
 	if [ ! -e $$state ] || [ $(case_program) -nt $$state ] || [ ! -e $(mark) ] || [ $$state -nt $(mark) ] || \
 	   [ -n "$$start" -a "$$start" -nt $$state ]; then \
 	  echo "fixdem: running $(case_name) first, for its final state" >&2; \
-	  $(call run_case,$(usual)) --replace >&2; $(leave_mark); fi
+	  $(call run_case,$(usual)) $$([ -e $(mark) ] && [ ! $$state -nt $(mark) ] && echo --replace || echo --fresh) >&2; $(leave_mark); fi
 
 -include $(wildcard $(build)/identical/*.d $(build)/cases/*.d $(case_build)/cases/*.d $(peers)/cases/*.d $(build)/precision/*/*.d) \
   $(shell find $(build)/objects -name '*.d' 2>/dev/null)

@@ -80,6 +80,8 @@ class Beginning {
       say(fmt::format("the run in {} is done already; --fresh (with make: FRESH=1) makes it once more", out));
       return true;
     }
+    if (there.identity.empty() && checkpoints_in(options_.out).empty())
+      advice = "\n  nothing there can be gone on with: --resume (with make: RESUME=1) begins that run again" + advice;
     if (there.checkpoint && differences(there, facts_, view_).empty())
       advice = fmt::format("\n  go on with it by --resume{}{}",
                            there.is_finished ? " and a longer --duration, or by --extend (with make: EXTEND=seconds)"
@@ -109,9 +111,9 @@ double wanted_duration(const CaseFacts& facts, const Options& options, double th
     throw Failure(exit_wrong_usage, fmt::format("a duration of {} s is more than {:.0e} steps", wanted, most_steps));
   if (steps_of(wanted, facts.time_step) < steps_of(there, facts.time_step))
     throw Failure(exit_wrong_usage,
-                  fmt::format("cannot go on with {}: its run has a duration of {} s, and {} s are asked "
-                              "for\n  it can be made longer, not shorter; begin anew with --fresh",
-                              where, there, wanted));
+                  fmt::format("cannot go on with {}: its run has a duration of {} s, and {} {} is asked for\n"
+                              "  it can be made longer, not shorter; begin anew with --fresh",
+                              where, there, options.duration_is_given ? "--duration" : "[run] duration =", wanted));
   return wanted;
 }
 

@@ -101,7 +101,7 @@ void TimeLoop::report_stop(const Status& status, const std::string& trouble) con
 }
 
 std::string TimeLoop::how_to_go_on() const {
-  return fmt::format("last good state: {}; to go on from it: the same command with --resume (with make: RESUME=1)",
+  return fmt::format("last good state: {}; to go on from it: --resume (with make: RESUME=1), else the same command",
                      checkpoints_.last().string());
 }
 
