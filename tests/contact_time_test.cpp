@@ -1,5 +1,7 @@
-// How long contacts last, by one formula for casegen and the programs; and what is said of a time step that gives them too
-// few steps: a warning in every run, figures in summary.json, a line at the end.
+// How long contacts last, by one formula for casegen and the programs; and what is said of a time step that gives them
+// too few steps: a warning in every run, figures in summary.json, a line at the end.
+#include "tools/run/contact_time.hpp"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 #include <string>
 
 #include "program_run.hpp"
-#include "tools/run/contact_time.hpp"
 #include "tools/run/fault_report.hpp"
 #include "tools/run/summary.hpp"
 
