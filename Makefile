@@ -4,6 +4,8 @@
 # Targets are thin: they see to it that what they need is installed (tools/deps/deps.sh, silent when all is
 # there), then call make once more, on all cores, for the files.
 
+include tools/make/variables.mk
+
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
 MAKEFLAGS += --no-builtin-rules --no-print-directory
@@ -16,21 +18,13 @@ ifneq ($(filter default undefined,$(origin CXX)),)
 CXX := g++
 endif
 CASE ?= plug_u24
-QUICK ?=
 ARCH ?= native
-LANES ?=
-SEED ?=
-ARGS ?=
-FILTER ?=
-JSON ?=
-LMP ?=
-STEPS ?=
-RESUME ?=
 
 # Some targets do one thing for a case that is asked for, and another without.
 case_given := $(filter command environment,$(origin CASE))
 
 include tools/make/variant.mk
+include tools/make/stale.mk
 include tools/make/rules.mk
 include tools/make/stability.mk
 include tools/make/embedded.mk
@@ -52,16 +46,18 @@ needs = @CXX='$(CXX)' INCLUDES='$(system_includes)' tools/deps/deps.sh
 
 .PHONY: help
 help:  ## this list
-	@echo 'make TARGET [CASE=$(CASE)] [CXX=$(CXX)] [ARCH=$(ARCH)] [LANES=n] [OUT=out/CASE] [SEED=n] [ARGS="--duration 0.1 ..."]'
+	@echo 'make TARGET [VARIABLE=value ...]'
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  \1\t\2/p' $(filter Makefile tools/make/%.mk,$(MAKEFILE_LIST)) | expand -t 16
-	@echo 'CASE is a name in cases/ or the path of any .toml file. ARCH: native, scalar, x86-64-v4, x86-64-v3 or x86-64.'
+	@echo 'Variables:'
+	@sed -nE 's/^about\.([A-Z_]+) := (.*)/  \1\t\2/p' tools/make/variables.mk | expand -t 16
 
 .PHONY: run
-run:  ## build and run CASE, and first the case it starts from; results in OUT; RESUME=1 (or a checkpoint) goes on with a run
+run:  ## build and run CASE, and first the case it starts from; results in OUT; RESUME=1 goes on with it, EXTEND=s makes it longer, FRESH=1 begins anew
 	$(needs) run
 	$(files) build-program
 	$(files) start-state
-	@$(read_start); $(call run_case,$(OUT)) $(resume) $(watching)$(if $(RESUME),,$(if $(filter $(usual),$(OUT)),; $(leave_mark)))
+	@$(read_start); $(same_text); inputs=; $(if $(is_whole_run),$(if $(FRESH),,[ -e $(out)/final.fixdem ] || )$(inputs);) \
+	  $(call run_case,$(out)) $(how) $(watching); $(leave_mark)
 
 .PHONY: watch
 watch: watching := --watch
@@ -80,7 +76,7 @@ test:  ## build and run every test; ends with "N passed, M failed"
 soak:  ## kill runs at random moments, in writing too, and resume them, for TIME=600 seconds; prints the figures
 	$(needs) run test
 	$(files) $(addprefix $(build)/bin/,$(soak_cases))
-	+@$(MAKE) final-state CASE=fill_500 SEED= OUT= ARGS=
+	+@$(MAKE) final-state CASE=fill_500 $(plainly)
 	@mkdir -p $(build)/scratch
 	@tests/kill_test.py $(build)/bin $(build)/scratch/soak --starts out --time $(or $(TIME),600)
 
@@ -119,4 +115,6 @@ deps:  ## install what running and testing need; nothing when all is there
 
 .PHONY: clean
 clean:  ## remove everything built; results in out/ stay
+	@[ ! -e $(BUILD) ] || [ -e $(BUILD)/sources.sha256 ] || [ '$(BUILD)' = build ] || \
+	  { echo 'fixdem: $(BUILD) is no folder that this make has built in: nothing is removed' >&2; exit 2; }
 	rm -rf $(BUILD)

@@ -6,6 +6,7 @@ Usage: tests/sweep/sweep_test.py CASEGEN SCRATCH [COUNT_FILE]. Writes "PASSED FA
 """
 
 import csv
+import fcntl
 import os
 import shutil
 import signal
@@ -178,6 +179,18 @@ class Refusals(WithPlan):
         self.assertEqual(self.sweep(path, "--engine", "slurm", "--hosts", path)[0], 2)
         self.assertEqual(self.sweep(path, "--hosts", self.folder / "none")[0], 6)
         self.assertEqual(self.sweep(self.folder / "none.toml")[0], 6)
+
+    def test_a_second_sweep_in_the_same_folder(self):
+        path = self.write("sweep.toml", PLUG + "[vary]\nstart.seed = [1]")
+        (self.folder / "out").mkdir()
+        with (self.folder / "out" / "sweep.lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            lock.write("process 1 on elsewhere")
+            lock.flush()
+            code, said = self.sweep(path)
+        self.assertEqual(code, 6, said)
+        self.assertIn("a sweep is under way there (process 1 on elsewhere)", said)
+        self.assertFalse((self.folder / "out" / "cases").exists(), "nothing is written beside it")
 
 
 class SmallSweep(unittest.TestCase):

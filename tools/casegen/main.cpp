@@ -28,7 +28,7 @@ enum ExitCode { done = 0, wrong_usage = 2, bad_case = 3, input_output = 6 };
 
 struct Options {
   std::string file, output, label;
-  bool print = false, name = false, start_from = false, advice = false, keys = false;
+  bool print = false, name = false, start_from = false, hash = false, advice = false, keys = false;
 };
 
 ExitCode run(const Options& options) {
@@ -42,6 +42,10 @@ ExitCode run(const Options& options) {
     return done;
   }
   const std::string text = read_file(options.file);
+  if (options.hash) {
+    fmt::print("{:016x}\n", XXH64(text.data(), text.size(), 0));
+    return done;
+  }
   Report report(options.file);
   const Reading reading = load_case(text, options.file, report);
   check_predecessor(reading, options.file, report);
@@ -82,9 +86,12 @@ int main(int argc, char** argv) {
   app.add_option("--source-label", options.label, "path of the case to write into the header (default: as given)");
   auto* from = app.add_flag("--start-from", options.start_from, "print the path of the case it starts from, if any");
   auto* name = app.add_flag("--name", options.name, "print the name of the generated struct");
+  auto* hash =
+      app.add_flag("--hash", options.hash, "print the XXH64 of the case file, as the header and the program have it");
   auto* keys = app.add_flag("--keys", options.keys, "print every key of the case format as Markdown");
   from->excludes(name)->excludes(keys);
   name->excludes(keys);
+  hash->excludes(from)->excludes(name)->excludes(keys);
   try {
     app.parse(argc, argv);
     if (!options.keys && file->empty()) throw CLI::RequiredError("CASE.toml");

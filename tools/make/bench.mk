@@ -11,7 +11,7 @@ bench:  ## time whole steps and their stages (Google Benchmark), or the steps of
 
 bench-set:
 	$(files) build-bench
-	+@for state in $(bench_states); do $(MAKE) final-state CASE=$$state SEED= OUT= ARGS=; done
+	+@for state in $(bench_states); do $(MAKE) final-state CASE=$$state $(plainly); done
 	@$(build)/bench out $(bench_options)
 
 bench-case:
@@ -19,7 +19,7 @@ bench-case:
 	+@$(read_start); final=$(usual)/final.fixdem; \
 	if [ -e $$final ]; then state="final $$final"; \
 	elif [ -n '$(SEED)' ]; then echo "fixdem: there is no $$final: run the case with this SEED first" >&2; exit 3; \
-	elif [ -n "$$from" ]; then $(MAKE) final-state CASE="$$from" ARGS=; state="start $$start"; \
+	elif [ -n "$$from" ]; then $(MAKE) final-state CASE="$$from" OUT= ARGS= RESUME= FRESH= EXTEND=; state="start $$start"; \
 	else state=start; fi; \
 	$(case_bench) $$state $(bench_options)
 
@@ -34,7 +34,7 @@ bench-report:  ## run the benchmarks five times (or read JSON=file): table, pict
 bench-peers:  ## fixdem beside LAMMPS and LIGGGHTS, same scenes, one core; LMP=/path/to/lmp, JSON=file; rewrites the table in bench/README.md
 	$(needs) run peers $(if $(LMP),,lammps)
 	$(files) build-peers
-	+@$(MAKE) final-state CASE=pipe_bed OUT= SEED= ARGS=
+	+@$(MAKE) final-state CASE=pipe_bed $(plainly)
 	tools/peers/bench_peers.py --programs $(peers)/bin --headers $(peers)/cases --settled out/pipe_bed/final.fixdem \
 	  --out out/peers --readme bench/README.md $(if $(LMP),--lmp '$(LMP)') $(if $(JSON),--json '$(JSON)')
 

@@ -14,7 +14,7 @@ startup := $(build)/embedded/startup.o
 $(startup): tools/embedded/startup.cpp tools/embedded/console.hpp tools/make/embedded.mk
 	@mkdir -p $(@D)
 	$(call say,compile $<)
-	$(quiet)$(board_compiler) -std=c++20 $(warnings) -I. -O2 -fno-tree-loop-distribute-patterns $(board_flags) -c $< -o $@
+	$(quiet)$(board_compiler) -std=c++20 $(warnings) -I. -O2 -fno-tree-loop-distribute-patterns $(board_flags) -c $< $(call kept,$@.d)
 
 $(build)/identical/cortex-m7: $(startup) $(board_script)
 
@@ -30,27 +30,27 @@ variant_link = $(if $(filter cortex-m7,$(1)),$(board_link) $(startup) -lgcc > $(
 embedded := $(case_build)/embedded/$(case_name)
 case_defines = $(call program_defines,$$($(casegen) --name $(case_file)),$(case_name))
 
-# The start state of the case; $(embedded)/from is remade when the state that it starts from changes.
+# The start state of the case, which is written each time and left alone when it is the same.
 $(embedded)/make_start: tools/embedded/start_state.cpp $(case_header) $(run_objects)
 	@mkdir -p $(@D)
 	$(call say,compile $< for $(case_file))
-	$(quiet)$(CXX) -I$(case_build) $(tool_flags) $(link_flags) $(case_defines) $< $(run_objects) $(libraries) -o $@
+	$(quiet)$(CXX) -I$(case_build) $(tool_flags) $(link_flags) $(case_defines) $< $(run_objects) $(libraries) $(call kept,$@.d)
 
-$(embedded)/start.hpp: $(embedded)/make_start
-	$(quiet)$(read_start); $< $$start > $@
+$(embedded)/start.hpp: $(embedded)/make_start always
+	$(quiet)$(read_start); $< $$start > $@.$$$$; if cmp -s $@.$$$$ $@; then rm $@.$$$$; else mv -f $@.$$$$ $@; fi
 
-$(identical_all:%=$(embedded)/%): $(embedded)/%: tools/embedded/main.cpp tools/make/variant.mk tools/make/embedded.mk \
+$(identical_all:%=$(embedded)/%): $(embedded)/%: tools/embedded/main.cpp tools/make/embedded.mk \
   $(embedded)/start.hpp $(board_script) $(if $(filter cortex-m7,$(identical_all)),$(startup))
 	$(call say,compile $(case_name) for $*)
 	$(quiet)$(call variant_compiler,$*) -I$(case_build) $(case_defines) -DFIXDEM_START_HEADER='"embedded/$(case_name)/start.hpp"' \
-	  -MMD -MP -MF $@.d -MT $@ $< -o $@ $(call variant_link,$*,$@)
+	  $< $(call variant_link,$*,$@) $(call kept,$@.d)
 
 .PHONY: build-embedded build-identical-case case-start
 build-embedded: $(embedded)/cortex-m7
 build-identical-case: $(identical_all:%=$(embedded)/%)
 # The final state that the case starts from, if it does.
 case-start: $(case_header)
-	+@$(read_start); if [ -n "$$from" ]; then $(MAKE) final-state CASE="$$from" ARGS=; fi
+	+@$(read_start); if [ -n "$$from" ]; then $(MAKE) final-state CASE="$$from" OUT= ARGS= RESUME= FRESH= EXTEND=; fi
 
 .PHONY: identical
 identical:  ## run the same scenes, or CASE, on every instruction set and on a bare board, and compare the last bit; STEPS=n

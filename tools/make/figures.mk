@@ -10,7 +10,7 @@ JOBS ?= 2
 $(figure_impacts): tools/figures/impacts.cpp $(build)/cases/collide_wall.hpp
 	@mkdir -p $(@D)
 	$(call say,compile $<)
-	$(quiet)$(CXX) -MMD -MP -MF $@.d -MT $@ $(tool_flags) $(link_flags) $< $(libraries) -o $@
+	$(quiet)$(CXX) $(tool_flags) $(link_flags) $< $(libraries) $(call kept,$@.d)
 
 .PHONY: build-figures
 build-figures: $(figure_impacts) $(figure_decays) $(addprefix $(build)/bin/,$(plug_cases) settle)
@@ -25,7 +25,7 @@ plug-table:  ## run the five plugs from three seeds of each fill (those not yet 
 figures:  ## the paper's figures from runs of our own (those not yet made): cases/gallery/ and cases/README.md; JOBS=1: one at a time
 	$(needs) run table report picture figures
 	$(files) build-figures
-	+@$(MAKE) final-state CASE=settle OUT= SEED= ARGS=
+	+@$(MAKE) final-state CASE=settle $(plainly)
 	@$(numpy_python) tools/figures/figures.py cases/README.md --out cases/gallery --programs $(build)/bin --impacts $(figure_impacts) \
 	  --decays $(figure_decays) --jobs $(JOBS)
 

@@ -7,17 +7,17 @@ footprint_flags := -std=c++20 $(warnings) -I$(build) -I. -O3 $(call arch_of,$(if
 $(footprint)/strips: tools/footprint/strips.cpp tools/make/footprint.mk $(build)/cases/plug_u24.hpp
 	@mkdir -p $(@D)
 	$(call say,compile $<)
-	$(quiet)$(CXX) $(footprint_flags) -MMD -MP -MF $@.d -MT $@ $< -o $@
+	$(quiet)$(CXX) $(footprint_flags) $< $(call kept,$@.d)
 
 # The start state of a case: embedded.mk, one case at a time.
-$(footprint)/cases/$(case_name): tools/footprint/one_case.cpp tools/make/footprint.mk $(embedded)/start.hpp
+$(footprint)/cases/$(run_name): tools/footprint/one_case.cpp tools/make/footprint.mk $(embedded)/start.hpp
 	@mkdir -p $(@D)
 	$(call say,compile $< for $(case_name))
 	$(quiet)$(CXX) $(footprint_flags) $(case_defines) -DFIXDEM_START_HEADER='"embedded/$(case_name)/start.hpp"' \
-	  -MMD -MP -MF $@.d -MT $@ $< -o $@
+	  $< $(call kept,$@.d)
 
 .PHONY: build-footprint
-build-footprint: $(footprint)/strips $(footprint)/cases/$(case_name)
+build-footprint: $(footprint)/strips $(footprint)/cases/$(run_name)
 
 .PHONY: footprint
 footprint:  ## memory, code, instructions and cycles of every case and of a scene stripped step by step: kernel/README.md

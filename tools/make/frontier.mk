@@ -35,7 +35,7 @@ frontier_gas := $(if $(QUICK),,$(shell grep -qs '^ *\[gas\]' $(case_file) && ech
 frontier_programs := $(frontier)/exact $(frontier_curves:%=$(frontier)/bodies.%) $(frontier_gas:%=$(frontier)/bodies.%) \
   $(frontier_curves:%=$(frontier)/collide.%) $(frontier_laws:%=$(frontier)/collide.%)
 # The settled or moving scene that trajectories start from; a quick run has one of its own.
-frontier_state := $(if $(QUICK),$(frontier)/run,out/$(case_name))/final.fixdem
+frontier_state := $(if $(QUICK),$(frontier)/run,out/$(run_name))/final.fixdem
 ifdef QUICK
 $(frontier_state): $(case_program)
 	$(quiet)$(read_start); $(case_program) --out $(@D) --replace --quiet --no-frames $${start:+--start-state "$$start"}
@@ -46,7 +46,7 @@ frontier_word = $(word $(1),$(subst ., ,$(2)))
 frontier_choice = $(addprefix -DFIXDEM_INTEGRATOR=,$(call frontier_word,1,$(1))) $(addprefix -DFIXDEM_SLIDER=,$(call frontier_word,2,$(1))) \
   $(addprefix -DFIXDEM_PRECISION=,$(call frontier_word,3,$(1))) $(addprefix -DFIXDEM_TANGENTIAL=,$(call frontier_word,4,$(1)))
 # $(1): level of optimisation; $(2): what else
-frontier_compile = $(quiet)mkdir -p $(frontier)/notes && $(CXX) -MMD -MP -MF $(frontier)/notes/$(@F).d -MT $@ -I$(case_build) $(filter-out -O%,$(program_flags)) \
+frontier_compile = $(quiet)mkdir -p $(frontier)/notes; $(CXX) -I$(case_build) $(filter-out -O%,$(program_flags)) \
   $(1) $(2) $(call program_defines,$$($(casegen) --name $(case_file)),$(case_name))
 
 .PHONY: build-frontier
@@ -55,41 +55,45 @@ build-frontier: $(frontier)/truth.csv $(frontier_programs)
 
 $(frontier)/truth: tools/frontier/truth.cpp $(case_header) $(run_objects)
 	$(call say,compile $<)
-	$(call frontier_compile,$(if $(QUICK),-O2,-O3),$(if $(QUICK),-DFIXDEM_FINER=8)) $< $(run_objects) $(libraries) -o $@
+	$(call frontier_compile,$(if $(QUICK),-O2,-O3),$(if $(QUICK),-DFIXDEM_FINER=8)) $< $(run_objects) $(libraries) $(call kept,$(frontier)/notes/$(@F).d)
 
-$(frontier)/truth.csv: $(frontier)/truth $(frontier_state)
+# The state of now, whatever its time stamp says.
+$(frontier)/state.fixdem: $(frontier_state) always
+	@mkdir -p $(@D); cmp -s $< $@ || cp $< $@
+
+$(frontier)/truth.csv: $(frontier)/truth $(frontier)/state.fixdem
 	$(call say,trajectory of the reference in extended precision (some minutes for a thousand particles))
-	$(quiet)$< $(frontier_state) > $@
+	$(quiet)$< $(frontier)/state.fixdem > $@.$$$$; mv -f $@.$$$$ $@
 
 $(frontier)/exact: tools/frontier/exact.cpp $(case_header)
 	$(call say,compile $<)
-	$(call frontier_compile,-O1) $< $(libraries) -o $@
+	$(call frontier_compile,-O1) $< $(libraries) $(call kept,$(frontier)/notes/$(@F).d)
 
 $(frontier)/bodies.gas.%: tools/frontier/bodies.cpp $(case_header) $(run_objects)
 	$(call say,compile $< for $* and other intervals of the gas)
 	$(call frontier_compile,$(frontier_bodies_flags),$(call frontier_choice,$*) -DFIXDEM_FACTORS=1000 \
-	  -DFIXDEM_GAS_FACTORS=$(frontier_gas_intervals)) $< $(run_objects) $(libraries) -o $@
+	  -DFIXDEM_GAS_FACTORS=$(frontier_gas_intervals)) $< $(run_objects) $(libraries) $(call kept,$(frontier)/notes/$(@F).d)
 
 $(frontier)/bodies.%: tools/frontier/bodies.cpp $(case_header) $(run_objects)
 	$(call say,compile $< for $*)
 	$(call frontier_compile,$(frontier_bodies_flags),$(call frontier_choice,$*) -DFIXDEM_FACTORS=$(frontier_steps_of_bodies)) \
-	  $< $(run_objects) $(libraries) -o $@
+	  $< $(run_objects) $(libraries) $(call kept,$(frontier)/notes/$(@F).d)
 
 $(frontier)/collide.%: tools/frontier/collide.cpp $(case_header)
 	$(call say,compile $< for $*)
 	$(call frontier_compile,-Og,$(call frontier_choice,$*) -DFIXDEM_FACTORS=$(if \
-	  $(filter $*,$(frontier_laws)),$(frontier_steps_of_laws),$(frontier_steps_of_impacts))) $< $(libraries) -o $@
+	  $(filter $*,$(frontier_laws)),$(frontier_steps_of_laws),$(frontier_steps_of_impacts))) $< $(libraries) $(call kept,$(frontier)/notes/$(@F).d)
 
 .PHONY: frontier
 frontier:  ## error against run time for CASE: bench/reports/CASE/frontier.md; QUICK=1: a part, to try it out
 	$(needs) run frontier
 	$(files) build-program
-	+@$(MAKE) final-state OUT= SEED= ARGS=
+	+@$(MAKE) final-state $(plainly)
 	$(files) $(frontier)/truth
 	$(files) build-frontier
 	+@$(read_start); [ -z "$$from" ] || $(MAKE) build-program CASE="$$from"
 	@$(read_start); tools/frontier/frontier.py --programs $(frontier) --case $(case_name) --header $(case_header) \
-	  --state $(frontier_state) $${from:+--fill $(build)/bin/$$(basename "$$from" .toml)} $(if $(QUICK),--quick) \
-	  --out $(if $(QUICK),$(frontier)/report,bench/reports/$(case_name))
+	  --state $(frontier_state) $${from:+--fill $(case_build)/bin/$$(basename "$$from" .toml)} $(if $(QUICK),--quick) \
+	  --out $(if $(QUICK),$(frontier)/report,bench/reports/$(run_name))
 
 -include $(wildcard $(frontier)/notes/*.d)

@@ -3,16 +3,14 @@
 # REPEAT copies a periodic scene so many times along the pipe; RANKS is the number of MPI processes.
 
 RANKS ?= 1
-REPEAT ?=
-STATE ?=
 MPIRUN ?= mpirun
 
-lammps_name = $(case_name)$(if $(REPEAT),-x$(REPEAT))
+lammps_name = $(run_name)$(if $(REPEAT),-x$(REPEAT))
 lammps_out = out/lammps/$(lammps_name)$(if $(SEED),-seed$(SEED))
 lammps_build := $(case_build)/lammps
 gas_beside = $(lammps_build)/gas_beside/$(lammps_name)
 # The state to start from: STATE, or what the case itself starts with.
-lammps_start = $(lammps_out)/start
+lammps_start = $(or $(START),$(lammps_out)/start)
 lammps_state = $(or $(STATE),$(lammps_start)/final.fixdem)
 mpi_compiler = OMPI_CXX='$(CXX)' mpicxx
 
@@ -21,19 +19,19 @@ lammps_files = --header $(case_header) --state '$(lammps_state)' $(if $(STATE),,
 # Prints yes for a case with gas.
 lammps_has_gas = grep -q 'has_gas = true' $(case_header) && echo yes
 
-$(gas_beside): tools/lammps/gas_beside.cpp $(case_header) $(run_objects) tools/make/variant.mk
+$(gas_beside): tools/lammps/gas_beside.cpp $(case_header) $(run_objects)
 	@mkdir -p $(@D)
 	$(call say,compile $< for $(lammps_name))
-	$(quiet)$(mpi_compiler) -MMD -MP -MF $@.d -MT $@ -I$(case_build) $(program_flags) $(link_flags) -DLAMMPS_SMALLBIG -DOMPI_SKIP_MPICXX \
+	$(quiet)$(mpi_compiler) -I$(case_build) $(program_flags) $(link_flags) -DLAMMPS_SMALLBIG -DOMPI_SKIP_MPICXX \
 	  $(addprefix -DFIXDEM_REPEAT=,$(REPEAT)) $(call program_defines,$$($(casegen) --name $(case_file)),$(case_name)) \
-	  $< $(run_objects) $(libraries) -llammps -o $@
+	  $< $(run_objects) $(libraries) -llammps $(call kept,$@.d)
 
 # The kernel beside LAMMPS, for make test-lammps.
-$(lammps_build)/kernel_beside/$(case_name): tests/lammps/kernel_beside.cpp $(case_header) $(run_objects) tools/make/variant.mk
+$(lammps_build)/kernel_beside/$(case_name): tests/lammps/kernel_beside.cpp $(case_header) $(run_objects)
 	@mkdir -p $(@D)
 	$(call say,compile $< for $(case_name))
-	$(quiet)$(CXX) -MMD -MP -MF $@.d -MT $@ -I$(case_build) $(test_flags) $(link_flags) \
-	  $(call program_defines,$$($(casegen) --name $(case_file)),$(case_name)) $< $(run_objects) $(libraries) -o $@
+	$(quiet)$(CXX) -I$(case_build) $(test_flags) $(link_flags) \
+	  $(call program_defines,$$($(casegen) --name $(case_file)),$(case_name)) $< $(run_objects) $(libraries) $(call kept,$@.d)
 
 .PHONY: build-kernel-beside build-gas-beside lammps-state
 build-kernel-beside: $(lammps_build)/kernel_beside/$(case_name)
@@ -41,11 +39,11 @@ build-gas-beside: $(gas_beside)
 
 # The case's own start, before its first step, where no STATE is given.
 lammps-state: $(if $(STATE),,start-state)
-	+@$(if $(STATE),:,$(read_start); $(call run_case,$(lammps_start)) --duration 0 --quiet --no-frames)
+	+@$(if $(STATE),:,rm -rf $(lammps_start); $(read_start); $(call run_case,$(lammps_start)) --duration 0 --quiet --no-frames)
 
 # make test-lammps: single impacts in cases of their own; some shipped ones in motion, for the time given; every case's start.
 lammps_test := $(build)/lammps-test
-lammps_impacts := $(build)/elsewhere$(subst /,+,$(abspath $(lammps_test)))
+lammps_impacts = $(build)/elsewhere/$(shell tools/make/name_apart.sh $(lammps_test))
 lammps_moving := settle@0.05 pipe_bed@0.05 plug_u24@0.3
 
 .PHONY: build-test-lammps lammps-moving-state
@@ -55,11 +53,11 @@ build-test-lammps:
 	+@for case in $(lammps_moving) drag_single; do $(MAKE) build-kernel-beside CASE=$${case%@*}; done
 	+@for case in plug_u24 drag_single; do $(MAKE) build-gas-beside CASE=$$case; done
 	+@$(MAKE) build-gas-beside CASE=plug_u24 REPEAT=100
-	+@for case in $(case_names); do $(MAKE) lammps-state CASE=$$case lammps_start=$(lammps_test)/states/$$case-start; done
+	+@for case in $(case_names); do $(MAKE) lammps-state CASE=$$case START=$(lammps_test)/states/$$case-start; done
 	+@for case in $(lammps_moving); do $(MAKE) lammps-moving-state CASE=$${case%@*} DURATION=$${case#*@}; done
 
 lammps-moving-state: start-state
-	@$(read_start); $(call run_case,$(lammps_test)/states/$(case_name)) --duration $(DURATION) --quiet --no-frames
+	@rm -rf $(lammps_test)/states/$(case_name); $(read_start); $(call run_case,$(lammps_test)/states/$(case_name)) --duration $(DURATION) --quiet --no-frames
 
 .PHONY: export-lammps
 export-lammps:  ## CASE as input for LAMMPS in out/lammps/CASE, from its start or STATE=file; REPEAT=n copies along a periodic pipe

@@ -6,20 +6,26 @@ sources := $(wildcard kernel/*.hpp tools/*/*.hpp tools/*/*.cpp tests/*.hpp tests
 # A short line for each file; the whole command with V=1.
 quiet := $(if $(V),,@)
 say = @echo '  $(1)' >&2
-compile = $(quiet)$(CXX) -MMD -MP -MF $(@:.o=).d -MT $@
+# The end of a compiler's command. It writes under other names first, so that neither two makes at once nor one that is killed
+# leave half a file; $(1): its notes on what the file was made of (forget_stale.sh).
+kept = -MMD -MP -MT $@ -MF $(1).$$$$ -o $@.$$$$ && mv -f $(1).$$$$ $(1) && mv -f $@.$$$$ $@ || { rm -f $(1).$$$$ $@.$$$$; exit 1; }
+linked = -o $@.$$$$ && mv -f $@.$$$$ $@ || { rm -f $@.$$$$; exit 1; }
+object = -c $< $(call kept,$(@:.o=.d))
 
-# CASE is a name in cases/ or a path. The header and the program of a file elsewhere go to a folder of their own, so that
-# two files of the same name never share one.
+# CASE is a name in cases/ or a path. What is built for a file elsewhere, and its results, have folders of their own
+# (name_apart.sh), so that two files never share one.
 case_file := $(if $(filter %.toml,$(CASE)),$(CASE),cases/$(CASE).toml)
 case_name := $(basename $(notdir $(case_file)))
 case_folder := $(dir $(case_file))
-is_shipped := $(filter $(abspath cases),$(abspath $(case_folder)))
-case_build := $(if $(is_shipped),$(build),$(build)/elsewhere$(subst /,+,$(abspath $(case_folder))))
+run_name := $(if $(findstring /,$(CASE))$(filter %.toml,$(CASE)),$(shell tools/make/name_apart.sh $(case_file) cases),$(CASE))
+is_shipped := $(filter $(case_name),$(run_name))
+case_build := $(if $(is_shipped),$(build),$(build)/elsewhere/$(shell tools/make/name_apart.sh $(case_folder)))
 case_header := $(case_build)/cases/$(case_name).hpp
 case_program := $(case_build)/bin/$(case_name)
 case_bench := $(case_build)/bench-case/$(case_name)
 results = out/$(1)$(if $(SEED),-seed$(SEED))
-OUT ?= $(call results,$(case_name))
+usual := $(call results,$(run_name))
+out := $(or $(OUT),$(usual))
 
 .PHONY: build-program build-cases build-tests build-golden build-bench build-peers build-tidy
 build-program: $(case_program)
@@ -37,54 +43,58 @@ casegen := $(build)/casegen
 casegen_objects := $(call objects,$(wildcard tools/casegen/*.cpp))
 run_objects := $(call objects,$(filter-out tools/run/main.cpp,$(wildcard tools/run/*.cpp)))
 
-$(build)/objects/tools/%.o: tools/%.cpp tools/make/variant.mk
+$(build)/objects/tools/%.o: tools/%.cpp
 	@mkdir -p $(@D)
 	$(call say,compile $<)
-	$(compile) $(tool_flags) -c $< -o $@
+	$(quiet)$(CXX) $(tool_flags) $(object)
 
 $(casegen): $(casegen_objects)
 	$(call say,link $@)
-	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -o $@
+	$(quiet)$(CXX) $(link_flags) $^ $(libraries) $(linked)
 
 # Which kernel a program has, for its checkpoints: they are continued by the same kernel only.
-kernel_checksum := -DFIXDEM_KERNEL='"$(shell cat kernel/*.hpp | cksum | tr ' ' -)"'
+kernel_checksum = -DFIXDEM_KERNEL='"'$$(cat kernel/*.hpp | cksum | tr ' ' -)'"'
 
-# A case: its header, then the one program that is compiled for it. $(1): folder of the build, $(2): folder of the file.
-# The advice on the time step is shown for CASE, and for others when there is a warning.
-# casegen leaves a header alone when nothing in it changes, so that its program is not compiled again; the mark `.checked`
-# remembers that it has looked.
+# A case: its header, then the one program that is compiled for it. $(1): folder of the build, $(2): folder of the file; $(3):
+# `always`, and casegen reads the file, and those it starts from, each time, but for derived files, whose time stamps are our
+# own. It leaves a header alone when nothing in it changes, so that its
+# program is not compiled again. The mark `.checked` holds what it said, and is left alone when it says the same. The advice on
+# the time step is shown for CASE, and for others when there is a warning.
 define case_rules
-$(1)/cases/%.checked: $(2)%.toml $(casegen)
+$(1)/cases/%.checked: $(2)%.toml $(casegen) $(3)
 	@mkdir -p $$(@D)
 	@said="$$$$($(casegen) $$< --output $$(@:.checked=.hpp) --source-label $$< 2>&1)" || { echo "$$$$said" >&2; exit 3; }; \
-	if [ $$* = $(case_name) ] || [[ "$$$$said" == *warning* ]]; then echo "$$$$said" >&2; fi
-	@touch $$@
+	if [ ! -e $$@ ] || [ "$$$$said" != "$$$$(cat $$@)" ]; then \
+	  if [ $$* = $(case_name) ] || [[ "$$$$said" == *warning* ]]; then echo "$$$$said" >&2; fi; \
+	  echo "$$$$said" >$$@.$$$$$$$$; mv -f $$@.$$$$$$$$ $$@; fi
 
 $(1)/cases/%.hpp: $(1)/cases/%.checked
 	@[ -e $$@ ] || $(casegen) $(2)$$*.toml --output $$@ --source-label $(2)$$*.toml
 
-$(1)/bin/%: $(1)/cases/%.hpp tools/run/main.cpp $(run_objects) tools/make/variant.mk
+$(1)/bin/%: $(1)/cases/%.hpp tools/run/main.cpp $(run_objects)
 	@mkdir -p $$(@D)
 	$$(call say,compile the program of $(2)$$*.toml)
-	$(quiet)$$(CXX) -MMD -MP -MF $(1)/cases/$$*.d -MT $$@ -I$(1) $(program_flags) $(link_flags) $(kernel_checksum) \
-	  $$(call program_defines,$$$$($(casegen) --name $(2)$$*.toml),$$*) tools/run/main.cpp $(run_objects) $(libraries) -o $$@
+	$(quiet)$$(CXX) -I$(1) $(program_flags) $(link_flags) $$(kernel_checksum) \
+	  $$(call program_defines,$$$$($(casegen) --name $(2)$$*.toml),$$*) tools/run/main.cpp $(run_objects) $(libraries) $$(call kept,$(1)/cases/$$*.d)
 
-$(1)/bench-case/%: $(1)/cases/%.hpp bench/one_case.cpp $(run_objects) tools/make/variant.mk
+$(1)/bench-case/%: $(1)/cases/%.hpp bench/one_case.cpp $(run_objects)
 	@mkdir -p $$(@D)
 	$$(call say,compile the benchmark of $(2)$$*.toml)
-	$(quiet)$$(CXX) -MMD -MP -MF $(1)/cases/$$*.bench.d -MT $$@ -I$(1) $(program_flags) $(link_flags) \
+	$(quiet)$$(CXX) -I$(1) $(program_flags) $(link_flags) \
 	  $$(call program_defines,$$$$($(casegen) --name $(2)$$*.toml),$$*) bench/one_case.cpp $(run_objects) $(libraries) \
-	  $(bench_libraries) -o $$@
+	  $(bench_libraries) $$(call kept,$(1)/cases/$$*.bench.d)
 endef
-$(eval $(call case_rules,$(build),cases/))
-$(if $(is_shipped),,$(eval $(call case_rules,$(case_build),$(case_folder))))
+.PHONY: always
+always:
+$(eval $(call case_rules,$(build),cases/,always))
+$(if $(is_shipped),,$(eval $(call case_rules,$(case_build),$(case_folder),always)))
 
 # The program of a shipped case in another precision: build/<variant>/precision/PRECISION/CASE.
-$(precision_programs): $(build)/precision/%: tools/run/main.cpp $(run_objects) tools/make/variant.mk | $(case_names:%=$(build)/cases/%.hpp)
+$(precision_programs): $(build)/precision/%: tools/run/main.cpp $(run_objects) | $(case_names:%=$(build)/cases/%.hpp)
 	@mkdir -p $(@D)
 	$(call say,compile the program of $*)
-	$(quiet)$(CXX) -MMD -MP -MF $@.d -MT $@ $(program_flags) $(link_flags) $(kernel_checksum) -DFIXDEM_PRECISION=$(patsubst %/,%,$(dir $*))_precision \
-	  $(call program_defines,$$($(casegen) --name cases/$(@F).toml),$(@F)) tools/run/main.cpp $(run_objects) $(libraries) -o $@
+	$(quiet)$(CXX) $(program_flags) $(link_flags) $(kernel_checksum) -DFIXDEM_PRECISION=$(patsubst %/,%,$(dir $*))_precision \
+	  $(call program_defines,$$($(casegen) --name cases/$(@F).toml),$(@F)) tools/run/main.cpp $(run_objects) $(libraries) $(call kept,$@.d)
 
 %.toml:
 	@echo "fixdem: no case file '$@'; in cases/ there are: $(case_names)" >&2; exit 3
@@ -97,26 +107,25 @@ soak_cases := settle settle_mixed collide_pair oblique_wall drag_single pipe_bed
 # it needs.
 # The memory sanitizer has an operator new of its own, and so no allocations can be counted.
 test_objects := $(call objects,$(filter-out $(if $(filter memory,$(SAN)),tests/no_heap_test.cpp),$(wildcard tests/*.cpp tests/reference/*.cpp tests/fuzz/*_target.cpp)))
-test_defines += -DFIXDEM_CORPUS='"$(abspath tests/corpus)"'
 optimised_objects := $(optimised_tests:%=$(build)/objects/tests/%.o)
 precompiled := $(build)/precompiled/tests.hpp
 test_include = $(if $(filter $(optimised_objects) %/main.o,$@),,-include $(precompiled))
-$(precompiled).gch: tests/precompiled.hpp tools/make/variant.mk
+$(precompiled).gch: tests/precompiled.hpp
 	@mkdir -p $(@D)
 	$(call say,compile $<)
-	$(quiet)grep -v '^#pragma once' $< > $(precompiled)
-	$(quiet)$(CXX) $(test_flags) $(test_defines) -x c++-header -c $(precompiled) -o $@
+	$(quiet)grep -v '^#pragma once' $< > $(precompiled).$$$$; mv -f $(precompiled).$$$$ $(precompiled)
+	$(quiet)$(CXX) $(test_flags) $(test_defines) -x c++-header -c $(precompiled) $(linked)
 
 $(optimised_objects): test_flags := $(test_flags) -O1
-$(build)/objects/tests/%.o: tests/%.cpp tools/make/variant.mk $(precompiled).gch | $(case_names:%=$(build)/cases/%.hpp)
+$(build)/objects/tests/%.o: tests/%.cpp $(precompiled).gch | $(case_names:%=$(build)/cases/%.hpp)
 	@mkdir -p $(@D)
 	$(call say,compile $<)
-	$(compile) $(test_flags) $(test_defines) $(test_include) -c $< -o $@
+	$(quiet)$(CXX) $(test_flags) $(test_defines) $(test_include) $(object)
 
 $(build)/tests: $(test_objects) $(run_objects) $(filter-out %/main.o,$(casegen_objects)) $(call objects,tools/stability/tangent.cpp)
 	@mkdir -p $(build)/scratch
 	$(call say,link $@)
-	$(quiet)$(CXX) $(link_flags) $^ $(libraries) -o $@
+	$(quiet)$(CXX) $(link_flags) $^ $(libraries) $(linked)
 
 # The scenes that must be identical, once for each instruction set: `native` as programs are compiled, the others at a
 # lower level of optimisation, which must not matter either; then for this machine at other levels, by clang, too.
@@ -128,29 +137,29 @@ identical_all := native scalar lanes2 $(if $(is_x86),x86-64 x86-64-v3 x86-64-v4 
 cross_compiler := aarch64-linux-gnu-g++
 .PHONY: build-identical
 build-identical: $(identical_all:%=$(build)/identical/%)
-$(identical_all:%=$(build)/identical/%): $(build)/identical/%: tests/identical/main.cpp tools/make/variant.mk tools/make/embedded.mk \
+$(identical_all:%=$(build)/identical/%): $(build)/identical/%: tests/identical/main.cpp tools/make/embedded.mk \
   | $(build)/cases/plug_u24.hpp $(build)/cases/settle.hpp
 	@mkdir -p $(@D)
 	$(call say,compile $< for $*)
-	$(quiet)$(call variant_compiler,$*) -I$(build) -MMD -MP -MF $@.d -MT $@ $< -o $@ $(call variant_link,$*,$@)
+	$(quiet)$(call variant_compiler,$*) -I$(build) $< $(call variant_link,$*,$@) $(call kept,$@.d)
 
 # Benchmarks: compiled like the programs, because it is those that are timed. bench/one_case.cpp is compiled for a case.
 bench_objects := $(call objects,$(filter-out bench/one_case.cpp,$(wildcard bench/*.cpp)))
 bench_options = $(if $(FILTER),--benchmark_filter='$(FILTER)') $(if $(JSON),--benchmark_out='$(JSON)' --benchmark_out_format=json)
-$(build)/objects/bench/%.o: bench/%.cpp tools/make/variant.mk | $(case_names:%=$(build)/cases/%.hpp)
+$(build)/objects/bench/%.o: bench/%.cpp | $(case_names:%=$(build)/cases/%.hpp)
 	@mkdir -p $(@D)
 	$(call say,compile $<)
-	$(compile) $(program_flags) -c $< -o $@
+	$(quiet)$(CXX) $(program_flags) $(object)
 
 $(build)/bench: $(bench_objects) $(run_objects)
 	$(call say,link $@)
-	$(quiet)$(CXX) $(link_flags) $^ $(libraries) $(bench_libraries) -o $@
+	$(quiet)$(CXX) $(link_flags) $^ $(libraries) $(bench_libraries) $(linked)
 
 # Peers: cases that tools/peers derives from pipe_bed, each with a program of its own.
 peers := $(build)/peers
 peer_cases := agitated bed_settle bed impacts
 build-peers: $(peer_cases:%=$(peers)/bin/%)
-$(peers)/derived.done: tools/peers/derived_cases.py cases/pipe_bed.toml
+$(peers)/derived.done: tools/peers/derived_cases.py cases/pipe_bed.toml always
 	$(quiet)$< cases/pipe_bed.toml $(peers)
 	@touch $@
 $(peer_cases:%=$(peers)/%.toml): $(peers)/derived.done ;
@@ -167,30 +176,34 @@ $(build)/tidy/%.ok: % .clang-tidy $(build)/cases/plug_u24.hpp
 	@touch $@
 
 # Runs. SEED goes to the case whose start is random: to CASE itself, or to the one that it starts from; results of a
-# seed lie in a folder of their own. A whole run (no ARGS) into the usual folder leaves a mark beside the program: another
-# case can start from the final state there while that is newer than the program and the state it started from itself, and
-# not newer than the mark (then something else has written there since, perhaps a shorter run).
+# seed lie in a folder of their own. A whole run (no ARGS, begun at its beginning) into the usual folder leaves a mark beside the
+# program: another case can start from the final state there while program, start and final state are those of the mark.
 mark := $(case_program)$(if $(SEED),-seed$(SEED)).done
-usual := $(call results,$(case_name))
 read_start = from="$$($(casegen) --start-from $(case_file))"; \
-  start=$${from:+$(call results,$$(basename "$$from" .toml))/final.fixdem}
+  start=$${from:+$(call results,$$(tools/make/name_apart.sh "$$from" cases))/final.fixdem}
+# A second look, by another way than make's: the program must have been compiled for the text that the case file has now.
+same_text = hash=$$($(casegen) --hash $(case_file)); [[ "$$($(case_program) --version)" == *"xxh64 $$hash"* ]] || \
+  { echo 'fixdem: $(case_file) has changed since its program was compiled: run make again' >&2; exit 3; }
 run_case = $(case_program) --out $(1) \
   $${start:+--start-state "$$start"} $(if $(SEED),$$([ -n "$$start" ] || echo --seed $(SEED))) $(ARGS)
-# RESUME: 1, or the path of a checkpoint. What the run was to be then is written there, so a resumed one leaves no mark.
-resume = $(if $(RESUME),$(if $(filter 1,$(RESUME)),--resume,--resume-from $(RESUME)))
-leave_mark = $(if $(strip $(ARGS)),,touch $(mark))
+how = $(if $(RESUME),$(if $(filter 1,$(RESUME)),--resume,--resume-from $(RESUME)))$(if $(FRESH),--fresh)$(if $(EXTEND),--extend $(EXTEND))
+is_whole_run = $(if $(strip $(ARGS))$(RESUME)$(EXTEND),,$(filter $(usual),$(out)))
+inputs = inputs="$$(tools/make/whole_run.sh inputs $(case_program) $${start:+"$$start"})"
+# The program leaves alone the run that is there already, which another program may have made: no mark then.
+leave_mark = [ -z "$$inputs" ] || tools/make/whole_run.sh leave $(mark) "$$inputs" $(usual)/final.fixdem
+# For a make that runs CASE as it is, whatever this make was given.
+plainly := OUT= SEED= ARGS= RESUME= FRESH= EXTEND=
 
 # Sees to the final state of the case that CASE starts from, and of the one that that starts from, and so on.
 .PHONY: start-state final-state
 start-state: $(case_program)
-	+@$(read_start); if [ -n "$$from" ]; then $(MAKE) final-state CASE="$$from" ARGS=; fi
+	+@$(read_start); if [ -n "$$from" ]; then $(MAKE) final-state CASE="$$from" OUT= ARGS= RESUME= FRESH= EXTEND=; fi
 
 final-state: start-state
-	@$(read_start); state=$(usual)/final.fixdem; \
-	if [ ! -e $$state ] || [ $(case_program) -nt $$state ] || [ ! -e $(mark) ] || [ $$state -nt $(mark) ] || \
-	   [ -n "$$start" -a "$$start" -nt $$state ]; then \
-	  echo "fixdem: running $(case_name) first, for its final state" >&2; \
-	  $(call run_case,$(usual)) $$([ -e $(mark) ] && [ ! $$state -nt $(mark) ] && echo --replace || echo --fresh) >&2; $(leave_mark); fi
+	@$(read_start); $(same_text); \
+	if ! tools/make/whole_run.sh holds $(mark) $(usual)/final.fixdem $(case_program) $${start:+"$$start"}; then \
+	  echo "fixdem: running $(run_name) first, for its final state" >&2; \
+	  $(inputs); $(call run_case,$(usual)) --fresh >&2; $(leave_mark); fi
 
 -include $(wildcard $(build)/identical/*.d $(build)/cases/*.d $(case_build)/cases/*.d $(peers)/cases/*.d $(build)/precision/*/*.d) \
   $(shell find $(build)/objects -name '*.d' 2>/dev/null)

@@ -33,13 +33,13 @@ build-page: $(page_bundle)/page.js
 report:  ## a page about the last run of CASE, or about a run made now: OUT/report.html, opens in any browser
 	$(needs) run page
 	$(files) build-program build-page
-	+@[ -e $(OUT)/summary.json ] || $(MAKE) run
-	@$(numpy_python) tools/run_report/run_report.py $(OUT) $(OUT)/report.html --case $(case_file) --program $(case_program) --bundle $(page_bundle)
+	+@[ -e $(out)/summary.json ] || $(MAKE) run
+	@$(numpy_python) tools/run_report/run_report.py $(out) $(out)/report.html --case $(case_file) --program $(case_program) --bundle $(page_bundle)
 
 .PHONY: test-report
 test-report:  ## the page of settle (or CASE) in a headless browser; PICTURES=folder keeps what it looked like
 	$(needs) run page browser
 	$(files) $(page_folder)/installed-for-tests
 	+@$(MAKE) report CASE=$(if $(case_given),$(case_file),settle)
-	@$(if $(PICTURES),mkdir -p $(PICTURES);) case=$(if $(case_given),$(case_name),settle); $(numpy_python) tests/run_report/run_report_test.py \
-	  out/$$case out/$$case/report.html $(if $(case_given),$(case_file),cases/settle.toml) $(page_folder) "$$(command -v chromium)" $(PICTURES)
+	@$(if $(PICTURES),mkdir -p $(PICTURES);) results=$(or $(OUT),out/$(if $(case_given),$(run_name),settle)$(if $(SEED),-seed$(SEED))); $(numpy_python) tests/run_report/run_report_test.py \
+	  $$results $$results/report.html $(if $(case_given),$(case_file),cases/settle.toml) $(page_folder) "$$(command -v chromium)" $(PICTURES)

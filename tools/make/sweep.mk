@@ -3,15 +3,13 @@
 
 SWEEP ?= cases/sweeps/plug_velocity.toml
 ENGINE ?= parallel
-HOSTS ?=
-SWEEP_SSH ?=
 sweep_name := $(basename $(notdir $(SWEEP)))
-sweep_out := $(if $(filter command environment,$(origin OUT)),$(OUT),out/sweeps/$(sweep_name))
-sweep_build := $(build)/sweeps$(subst /,+,$(abspath $(sweep_out)))
+sweep_out := $(or $(OUT),out/sweeps/$(if $(filter cases/sweeps/$(sweep_name).toml,$(SWEEP)),$(sweep_name),$(shell tools/make/name_apart.sh $(SWEEP) cases/sweeps)))
+sweep_build := $(build)/sweeps/$(if $(filter sweep% build-sweep,$(MAKECMDGOALS)),$(shell tools/make/name_apart.sh $(sweep_out)),none)
 $(eval $(call case_rules,$(sweep_build),$(sweep_out)/cases/))
 
 sweep_options = --out $(sweep_out) --casegen $(casegen) --programs $(sweep_build)/bin --engine '$(ENGINE)' \
-  $(if $(filter command environment,$(origin JOBS)),--jobs '$(JOBS)') $(if $(HOSTS),--hosts '$(HOSTS)') $(if $(SWEEP_SSH),--ssh '$(SWEEP_SSH)')
+  $(if $(call from_user,JOBS),--jobs '$(JOBS)') $(if $(HOSTS),--hosts '$(HOSTS)') $(if $(SWEEP_SSH),--ssh '$(SWEEP_SSH)')
 sweep_python = $(call python_with,tomli_w)
 
 .PHONY: build-sweep

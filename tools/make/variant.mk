@@ -1,8 +1,8 @@
 # What is compiled with which flags, and into which folder: one folder per compiler, architecture and sanitizer, so that
-# variants live side by side. Everything built depends on this file.
+# variants live side by side. What was built with other flags than those of now is forgotten (stale.mk).
 
 BUILD ?= build
-variant := $(notdir $(lastword $(CXX)))-$(ARCH)$(if $(LANES),-lanes$(LANES))$(if $(SAN),-$(if $(filter memory,$(SAN)),memory,san))
+variant := $(notdir $(lastword $(filter-out -%,$(CXX))))-$(ARCH)$(if $(LANES),-lanes$(LANES))$(if $(SAN),-$(if $(filter memory,$(SAN)),memory,san))
 build := $(BUILD)/$(variant)
 
 # Packages of a system live where its compiler looks, with two exceptions: Eigen has a folder of its own, brew a prefix.
@@ -54,6 +54,17 @@ ifeq ($(ARCH)$(filter aarch64 arm64,$(machine)),aarch64)
 $(error fixdem: ARCH=aarch64 on this $(machine) machine: programs of cases would need libraries for aarch64; `make identical` \
   compiles the scenes of tests/identical for it and runs them under emulation)
 endif
+# Other values are passed on when the compiler knows them (ARCH=znver4).
+archs := native scalar x86-64-v4 x86-64-v3 x86-64
+ifeq ($(filter $(archs),$(ARCH)),)
+arch_meant := $(firstword $(if $(filter avx512% avx-512% AVX512% AVX-512%,$(ARCH)),x86-64-v4) $(if $(filter avx% AVX% fma% FMA% v3,$(ARCH)),x86-64-v3) \
+  $(if $(filter sse% SSE% x64 amd64 x86_64 x86,$(ARCH)),x86-64) $(if $(filter neon NEON arm% ARM%,$(ARCH)),native) $(if $(filter lanes%,$(ARCH)),scalar) \
+  $(shell printf '%s\n' $(archs) | awk -v word='$(ARCH)' -f tools/make/nearest.awk))
+ifeq ($(shell ! command -v $(firstword $(CXX)) >/dev/null || $(CXX) -march=$(ARCH) -fsyntax-only -x c++ /dev/null 2>/dev/null || echo unknown),unknown)
+$(call refuse,ARCH=$(ARCH): the compiler knows no such instruction set; allowed: $(archs)$(comma) and whatever -march of $(CXX) takes$(if \
+  $(arch_meant),; did you mean $(arch_meant)?))
+endif
+endif
 
 program_flags := $(common) $(if $(SAN),-Og,-O3) $(kernel_math)
 # -O1 takes a quarter longer to compile, -O2 two thirds; results are the same bytes.
@@ -73,4 +84,5 @@ program_defines = -DFIXDEM_CASE=$(1) -DFIXDEM_CASE_HEADER='"cases/$(2).hpp"'
 test_defines := -DFIXDEM_CASEGEN='"$(abspath $(build)/casegen)"' -DFIXDEM_CASES_DIR='"$(abspath cases)"' \
                 -DFIXDEM_SCRATCH='"$(abspath $(build)/scratch)"' -DFIXDEM_BIN_DIR='"$(abspath $(build)/bin)"' \
                 -DFIXDEM_GOLDEN='"$(abspath tests/golden/states.txt)"' \
-                -DFIXDEM_GOLDEN_SCENES='"$(abspath tests/golden/scenes.txt)"' -DFIXDEM_GOLDEN_SOME='"$(golden_some)"'
+                -DFIXDEM_GOLDEN_SCENES='"$(abspath tests/golden/scenes.txt)"' -DFIXDEM_GOLDEN_SOME='"$(golden_some)"' \
+                -DFIXDEM_CORPUS='"$(abspath tests/corpus)"'

@@ -130,10 +130,12 @@ class KeptRun:
                 break
             time.sleep(BEAT / 2)
         clear_folder(self.folder)
-        code, message = self.attempt(resume=bool(record))
+        # Results of another program or input give way if a kept run has made them, and are moved aside otherwise.
+        anew = "--replace" if self.record_path.exists() else "--fresh"
+        code, message = self.attempt("--resume" if record else anew)
         if code == 3 and record:  # a checkpoint that cannot be used must not stand in the way
             first = message
-            code, message = self.attempt(resume=False)
+            code, message = self.attempt("--replace")
             message = f"begun anew, because: {first}\n{message}".rstrip()
         return self.read()
 
@@ -148,13 +150,13 @@ class KeptRun:
         finally:
             probe.unlink()
 
-    def attempt(self, resume):
+    def attempt(self, beginning):
         """One start of the program; its exit code and its last words, which the record has, too."""
         owner, begin = owner_here(), time.monotonic()
-        began = Beginning(self.last_checkpoint() if resume else 0, self.write(state="running", owner=owner))
-        command = [*stopped_with_us(), self.program, "--out", self.folder, "--quiet", "--drop-checkpoint", *self.options, *self.harmless]
+        began = Beginning(self.last_checkpoint() if beginning == "--resume" else 0, self.write(state="running", owner=owner))
+        command = [*stopped_with_us(), self.program, "--out", self.folder, "--quiet", "--drop-checkpoint", beginning]
+        command += [*self.options, *self.harmless]
         command += ["--start-state", self.start_state] if self.start_state else []
-        command += ["--resume"] if resume else ["--replace"]
         with tempfile.TemporaryFile("w+", errors="replace") as said:
             try:
                 program = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=said)

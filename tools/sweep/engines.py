@@ -7,6 +7,7 @@ it again, as often as ROUNDS says.
 Hosts and nodes share the folder of the results, at the same path, as clusters do.
 """
 
+import shlex
 import subprocess
 import sys
 import time
@@ -38,7 +39,7 @@ class Parallel:
         command += ["--jobs", str(self.jobs or "100%")]
         if self.hosts:
             command += ["--sshloginfile", str(Path(self.hosts).resolve()), "--ssh", self.ssh, "--workdir", str(Path.cwd())]
-        command += ["python3", str(JOB), str(self.out)]
+        command += [shlex.join(["python3", str(JOB), str(self.out)])]  # for the shell of each run
         process = subprocess.Popen(command, stdin=subprocess.PIPE, text=True)
         try:
             process.communicate("".join(f"{number}\n" for number in numbers))
@@ -81,7 +82,10 @@ class Slurm:
         count = sum(1 for _ in self.folder.glob("*.sh"))
         listed, script = self.folder / f"{count}.txt", self.folder / f"{count}.sh"
         listed.write_text("".join(f"{number}\n" for number in numbers))
-        script.write_text(f'#!/bin/sh\nexec python3 "{JOB}" "{self.out}" "$(sed -n "${{SLURM_ARRAY_TASK_ID}}p" "{listed}")"\n')
+        script.write_text(
+            f'#!/bin/sh\nexec {shlex.join(["python3", str(JOB), str(self.out)])} '
+            f'"$(sed -n "${{SLURM_ARRAY_TASK_ID}}p" {shlex.quote(str(listed))})"\n'
+        )
         command = [
             "sbatch",
             "--parsable",

@@ -9,10 +9,13 @@ sense, 6 a file that cannot be read or written, 130 stopped by Ctrl-C.
 """
 
 import argparse
+import contextlib
+import fcntl
 import json
 import os
 import shlex
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -70,11 +73,31 @@ def run_missing(out, jobs, engine, rounds):
     return {"runs": len(touched), "seconds": time.monotonic() - begin, "particle_steps": worked}, stopped
 
 
+@contextlib.contextmanager
+def alone_in(out):
+    """One sweep at a time in a folder. The lock is the operating system's and ends with the process, however that ends."""
+    with (out / "sweep.lock").open("a+") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            lock.seek(0)
+            raise Refused(f"{out}: a sweep is under way there ({lock.read().strip()}); wait for it, or choose another OUT", 6) from None
+        lock.truncate(0)
+        lock.write(f"process {os.getpid()} on {socket.gethostname()}\n")
+        lock.flush()
+        yield
+
+
 def make_sweep(chosen):
     sweep = read_sweep(chosen.sweep, chosen.cases)
     plan = plan_of(sweep)
     out = chosen.out.resolve()
     out.mkdir(parents=True, exist_ok=True)
+    with alone_in(out):
+        return make_alone(chosen, sweep, plan, out)
+
+
+def make_alone(chosen, sweep, plan, out):
     write_cases(plan, out / "cases", chosen.casegen)
     jobs = job_list(sweep, plan, chosen.programs.resolve())
     write_whole(out / "jobs.jsonl", "".join(json.dumps(job) + "\n" for job in jobs))
