@@ -148,6 +148,9 @@ constexpr int particles_per_chunk(int particle_count, double pipe_diameter, doub
   return size < whole_scene ? size : whole_scene;
 }
 
+/// A chunk beyond this would outgrow the stack (its slots are booked there) and the 32-bit offsets of its force rows.
+inline constexpr int largest_chunk = 1 << 20;
+
 /// Chunks that a tile of several steps needs (tiles.hpp).
 constexpr int chunks_for_tile(int tile_steps) { return tile_steps == 1 ? 1 : 2 * tile_steps + 4; }
 
@@ -200,6 +203,8 @@ struct Checked {
   static_assert(Case::restitution > 0 && Case::restitution <= 1,
                 "fixdem: [material] restitution must be above 0 and at most 1");
   static_assert(Case::friction >= 0, "fixdem: [material] friction must not be negative");
+  static_assert(Capacity<Case>::chunk_size <= largest_chunk,
+                "fixdem: a slice of the pipe holds too many particles: lower [pipe] diameter or [particles] count");
   static_assert(Case::normal != NormalLaw::hertz || (Case::poisson_ratio >= 0 && Case::poisson_ratio <= 0.5),
                 "fixdem: [material] poisson_ratio must lie between 0 and 0.5");
   static_assert(Case::normal != NormalLaw::hertz || Case::youngs_modulus > 0,

@@ -72,6 +72,21 @@ void check_solids_fraction(const Reading& reading, Report& report) {
         "let them settle in a longer pipe first (as fill_1000.toml does) and start with from = \"that case\"");
 }
 
+/// The kernel works on slices of the pipe a little longer than a particle, and their size is limited.
+void check_slice(const Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  if (!reading.usable({"particles.count", "particles.diameter", "pipe.diameter"})) return;
+  if (particles_per_chunk(static_cast<int>(v.count), v.pipe_diameter, v.diameter) <= largest_chunk) return;
+  double widest = v.pipe_diameter;
+  while (particles_per_chunk(static_cast<int>(v.count), widest, v.diameter) > largest_chunk) widest *= 0.99;
+  report.error(
+      reading.place("pipe.diameter"),
+      fmt::format("{} is {:.0f} particles wide, and a slice of it may hold more than {} of them; allowed with "
+                  "more than {} particles: at most {:.3g} m",
+                  reading.quote("pipe.diameter"), v.pipe_diameter / v.diameter, largest_chunk, largest_chunk, widest),
+      fmt::format("lower [pipe] diameter, or [particles] count to {} or less", largest_chunk));
+}
+
 /// A tile needs a pipe of many chunks (kernel/tiles.hpp).
 void check_tiles(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
@@ -95,6 +110,7 @@ void check_tiles(const Reading& reading, Report& report) {
 void check_geometry(const Reading& reading, Report& report) {
   check_pipe(reading, report);
   check_solids_fraction(reading, report);
+  check_slice(reading, report);
   check_tiles(reading, report);
 }
 

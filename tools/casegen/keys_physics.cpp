@@ -6,7 +6,8 @@ namespace fixdem::casegen {
 
 std::vector<Rule<CaseValues>> physics_keys() {
   using Values = CaseValues;
-  // Ten million particles would need some ten gigabytes of static arrays: a larger count is a slip of the keyboard.
+  // Ten million particles need some ten gigabytes, and twice that while they run: a larger count is a slip of the
+  // keyboard.
   constexpr Range particle_counts = between(1, 1e7);
   // Intervals are counted in `int` steps.
   constexpr Range step_intervals = between(1, 1e6);

@@ -1,4 +1,4 @@
-// The one translation unit that is compiled for every case: the kernel for that case, in static storage.
+// The one translation unit that is compiled for every case: the kernel for that case, in static storage (home.hpp).
 //
 // Compiled with -DFIXDEM_CASE=plug_u24 -DFIXDEM_CASE_HEADER='"cases/plug_u24.hpp"' and linked with the library made of
 // the other files of this folder. Keep its includes few: it is what a user waits for after changing a case.
@@ -7,6 +7,7 @@
 #include "case_adapter.hpp"
 #include "case_facts.hpp"
 #include "driver.hpp"
+#include "home.hpp"
 #include "kernel/fixdem.hpp"
 
 namespace {
@@ -17,10 +18,10 @@ struct Case : fixdem::cases::FIXDEM_CASE {
 #else
 using Case = fixdem::cases::FIXDEM_CASE;
 #endif
-fixdem::Simulation<Case> simulation;  // about a megabyte: never on the stack
+fixdem::program::Home<fixdem::Simulation<Case>> home;  // about a megabyte: never on the stack
 }  // namespace
 
 int main(int argc, char** argv) {
-  static fixdem::program::CaseAdapter<Case> view(simulation);
+  static fixdem::program::CaseAdapter<Case> view(home.simulation());
   return fixdem::program::run_program(view, fixdem::program::case_facts<Case>(), argc, argv);
 }

@@ -21,6 +21,7 @@
 #include "tools/run/case_adapter.hpp"
 #include "tools/run/case_facts.hpp"
 #include "tools/run/fault_report.hpp"
+#include "tools/run/home.hpp"
 #include "tools/run/random_numbers.hpp"
 #include "tools/run/start.hpp"
 #include "tools/run/state_file.hpp"
@@ -45,7 +46,8 @@ struct Scene : cases::FIXDEM_CASE {
 #endif
 };
 
-Simulation<Scene> simulation;
+program::Home<Simulation<Scene>> home;
+Simulation<Scene>& simulation = home.simulation();
 
 double kinetic(const Observation& seen) { return seen.kinetic_translation + seen.kinetic_rotation; }
 
