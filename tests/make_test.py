@@ -1,84 +1,46 @@
 #!/usr/bin/env python3
-"""What make does with odd input, and that a build folder never holds what was made of other contents.
-
-All of it happens in a copy of this checkout whose path has a blank, with a copy of the build folder, so that little has to be
-compiled. `make -n` shows what make would run; stale products are removed even then.
+"""A build folder never holds what was made of other contents, two cases never share a folder, and runs are not replaced unasked.
 
 Usage: tests/make_test.py BUILD_FOLDER CXX SCRATCH [COUNT_FILE]. Writes "PASSED FAILED" to COUNT_FILE. Exit code: 0 when all passed.
 """
 
-import os
+import json
 import re
 import shlex
 import shutil
 import subprocess
 import sys
-import unittest
 from pathlib import Path
 
-root = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
 from counted import run_and_count  # noqa: E402
+from make_checkout import CHOSEN, ENVIRONMENT, Made, checkout, compiler, copy_build, copy_checkout, make, replace, root, scratch, variant  # noqa: E402
 
-built, compiler, scratch = Path(sys.argv[1]).resolve(), sys.argv[2], Path(sys.argv[3]).resolve()
-checkout = scratch / "a checkout"
-variant = Path("build") / built.name
-OLD = 1_000_000_000  # s: long before anything was built
-
-# Variables that choose the variant go on; all else of the make that calls this test stays behind.
-_, _, overrides = os.environ.get("MAKEFLAGS", "").partition(" -- ")
-CHOSEN = [word for word in shlex.split(overrides) if word.split("=")[0] in ("CXX", "ARCH", "LANES", "SAN", "INSTRUMENTED")]
-ENVIRONMENT = {name: value for name, value in os.environ.items() if not name.startswith(("MAKE", "MFLAGS", "FIXDEM_"))}
-
-
-def make(*words, cwd=checkout, **environment):
-    """Exit code, standard output and standard error."""
-    command = ["make", *CHOSEN, *words]
-    done = subprocess.run(command, cwd=cwd, env=ENVIRONMENT | environment, capture_output=True, text=True, check=False)
-    return done.returncode, done.stdout, done.stderr
-
-
-def replace(path, text):
-    """By a file that is older than everything: what mv, cp -p and rsync -a can do."""
-    path.write_text(text)
-    os.utime(path, (OLD, OLD))
-
-
-def placed(velocity):
-    """A case that compiles quickly."""
-    text = (root / "cases" / "collide_wall.toml").read_text()
-    return f"# {velocity}\n{text}"
-
-
-def copy_build():
-    shutil.rmtree(checkout / "build", ignore_errors=True)
-    (checkout / variant / "objects").mkdir(parents=True)
-    shutil.copy2(built.parent / "sources.sha256", checkout / "build")
-    for name in ("made_by", "tests_made_for", "casegen", "objects/tools"):
-        subprocess.run(["cp", "-a", built / name, checkout / variant / name], check=True)
+SMALL = (root / "cases" / "collide_wall.toml").read_text()
+LARGE = """[particles]
+count = 3000000
+diameter = 0.010
+density = 1000.0
+[material]
+youngs_modulus = 3.0e9
+poisson_ratio = 0.33
+restitution = 0.9
+friction = 0
+[pipe]
+diameter = 0.5
+length = 80.0
+ends = "periodic"
+[start]
+arrangement = "random"
+[run]
+time_step = 2.0e-6
+duration = 1.0
+reference_speed = 1.0
+"""
 
 
 def setUpModule():
-    shutil.rmtree(scratch, ignore_errors=True)
-    checkout.mkdir(parents=True)
-    for name in ("Makefile", "kernel", "tools", "cases", "bench", "tests"):
-        subprocess.run(["cp", "-a", root / name, checkout], check=True)
-    copy_build()
-
-
-class Made(unittest.TestCase):
-    def made(self, *words, **environment):
-        code, out, said = make(*words, **environment)
-        self.assertEqual(code, 0, out + said)
-        return out + said
-
-    def refused(self, *words, saying, cwd=checkout):
-        code, out, said = make(*words, cwd=cwd)
-        self.assertEqual(code, 2, out + said)
-        self.assertEqual(out, "", "nothing is done")
-        self.assertEqual(len(said.splitlines()), 1, said)
-        self.assertRegex(said, saying)
-        self.assertEqual([path for path in checkout.rglob("*pwned*") if "toml" not in path.name], [])
+    copy_checkout()
 
 
 class Contents(Made):
@@ -91,24 +53,44 @@ class Contents(Made):
     def hash_of_case(self, case):
         return subprocess.run([checkout / variant / "casegen", "--hash", case], capture_output=True, text=True, check=True).stdout.strip()
 
-    def test_a_case_replaced_by_an_older_file_and_two_makes_at_once(self):
+    def test_two_makes_at_once_then_runs_then_a_case_replaced_by_an_older_and_larger_one(self):
         case = checkout / "mine.toml"
-        replace(case, placed("one"))
+        replace(case, SMALL)
         command = ["make", *CHOSEN, "build-program", "CASE=mine.toml"]
         together = [subprocess.Popen(command, cwd=checkout, env=ENVIRONMENT, stderr=subprocess.DEVNULL) for _ in range(2)]
         self.assertEqual([process.wait() for process in together], [0, 0])
         (program,) = (checkout / variant).glob("elsewhere/*/bin/mine")
-        self.assertEqual(sorted(path.name for path in program.parent.iterdir()), ["mine"], "no file half written is left")
+        self.assertEqual([path.name for path in program.parent.iterdir()], ["mine"], "no file half written is left")
         self.assertEqual(self.hash_of_program(program), self.hash_of_case(case))
         self.assertNotIn("compile", self.made("build-program", "CASE=mine.toml"), "what is right is left alone")
-        replace(case, placed("two"))
+
+        self.made("run", "CASE=mine.toml", "ARGS=--duration 0.01")
+        (results,) = (checkout / "out").glob("mine-*")
+        short = json.loads((results / "summary.json").read_text())
+        code, _, said = make("run", "CASE=mine.toml")
+        self.assertNotEqual(code, 0, "a shorter run lies there")
+        self.assertIn("FRESH=1", said)
+        self.assertEqual(json.loads((results / "summary.json").read_text()), short)
+        self.made("run", "CASE=mine.toml", "EXTEND=0.01")
+        extended = (results / "log.csv").read_bytes()
+        self.made("run", "CASE=mine.toml", "FRESH=1")
+        self.assertEqual((results / "log.csv").read_bytes(), extended, "of the same bytes as a run of that length")
+        self.assertEqual((results.with_name(results.name + ".1") / "log.csv").read_bytes(), extended, "moved aside")
+
+        replace(case, LARGE)
         self.made("build-program", "CASE=mine.toml")
         self.assertEqual(self.hash_of_program(program), self.hash_of_case(case))
-        self.assertIn("--version", self.made("-n", "run", "CASE=mine.toml"), "program and file are compared before a run")
         program.write_text("#!/bin/sh\necho xxh64 0123\n")  # newer than all it is made of
         code, out, said = make("run", "CASE=mine.toml")
         self.assertNotEqual(code, 0, out)
         self.assertIn("mine.toml has changed since its program was compiled", said)
+
+    def test_a_pipe_too_wide_for_so_many_particles(self):
+        wide = scratch / "wide.toml"
+        wide.write_text(LARGE.replace("diameter = 0.5\n", "diameter = 20.0\n"))
+        done = subprocess.run([checkout / variant / "casegen", wide], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 3)
+        self.assertRegex(done.stderr, r"wide.toml:\d+:\d+: error: diameter = 20.0 in \[pipe\] .*a slice of it.*at most 8\.\d+ m")
 
     def test_a_case_that_others_start_from(self):
         fill = checkout / "cases" / "fill_500.toml"
@@ -227,80 +209,6 @@ class Names(Made):
         for name in ("sweep_out", "sweep_build"):
             self.assertEqual(len({re.search(rf"^{name} := (\S+)", text, re.MULTILINE)[1] for text in shown}), 3)
         self.assertIn("sweep_out := out/sweeps/small\n", shown[2])
-
-
-class Input(Made):
-    """Values that a shell or make would read as something else, and names that nobody knows."""
-
-    def variables(self):
-        return re.findall(r"^kind\.(\w+) :=", (root / "tools" / "make" / "variables.mk").read_text(), re.MULTILINE)
-
-    def test_no_variable_runs_code(self):
-        self.assertGreater(len(self.variables()), 30)
-        for name in self.variables():
-            with self.subTest(name=name):
-                self.refused("run", f"{name}=1`>pwned`;>pwned;$(shell >pwned)' >pwned '\n>pwned", saying=f"fixdem: {name}=")
-        for value in ("1`>pwned`", "1;>pwned", "$(shell >pwned)", "1' >pwned '", "1\n>pwned", "$$(>pwned)", "1|>pwned", "1&>pwned"):
-            for name in ("SEED", "ARGS"):
-                with self.subTest(name=name, value=value):
-                    self.refused("run", f"{name}={value}", saying=f"fixdem: {name}=")
-        code, _, said = make("help", CASE="x`>pwned`.toml")
-        self.assertEqual(code, 2, said)
-
-    def test_a_file_in_cases_whose_name_is_code(self):
-        for name in ("x`>pwned`.toml", "x;>pwned;.toml", "$(shell >pwned).toml", "x y.toml", "x%.toml"):
-            odd = checkout / "cases" / name
-            odd.write_text("")
-            with self.subTest(name=name):
-                self.refused("cases", saying="the name of a file holds .*rename it: cases/")
-            odd.unlink()
-
-    def test_characters_in_the_path_of_a_case(self):
-        for character, words in (
-            (" ", "a blank"), ("\t", "a blank"), ("%", "%"), (":", ":"), ("=", "="), ("#", "#"), ("'", "'"), (";", ";"), ("&", "&"),
-            ("$", r"\$"), ('"', '"'), ("(", r"\("), ("*", r"\*"), ("?", r"\?"), ("~", "~"), ("\\", r"\\"), ("|", r"\|"), ("!", "!"),
-        ):  # fmt: skip
-            with self.subTest(character=character):
-                self.refused("run", f"CASE=my{character}case.toml", saying=f"CASE=.*{words} cannot be in a path .*ln -s")
-        self.refused("run", "CASE=-x.toml", saying=r"write \./-x")
-
-    def test_a_checkout_in_a_path_with_a_blank(self):
-        code, out, said = make("header", "CASE=settle")
-        self.assertEqual(code, 0, said)
-        self.assertIn("struct settle", out)
-        self.assertEqual([line for line in said.splitlines() if "settle" not in line and "contact" not in line and "Rayleigh" not in line], [])
-        quoted = scratch / "it's"
-        quoted.mkdir()
-        (quoted / "Makefile").symlink_to(checkout / "Makefile")
-        (quoted / "tools").symlink_to(checkout / "tools")
-        self.refused("cases", cwd=quoted, saying="the character ' is in the path of this folder")
-
-    def test_names_that_no_target_knows(self):
-        for given, name in (("case=settle", "CASE"), ("RESUM=1", "RESUME"), ("seed=1", "SEED"), ("EXTENT=1", "EXTEND")):
-            self.refused("run", given, saying=f"no target knows a variable {given.split('=')[0]}: did you mean {name}")
-        self.refused("run", "CXXFLAGS=-O0", saying=r"no target knows a variable CXXFLAGS \(make help")
-        self.made("-n", "header", "CASE=settle", case="settle", RESUM="1")  # of the environment
-
-    def test_values_that_mean_nothing(self):
-        for given, words in (
-            ("SEED=-1", "whole number"), ("SEED=1.5", "whole number"), ("EXTEND=0.3s", "a number"), ("LANES=3", "one of 1 2 4 8"),
-            ("SAN=address", "one of 1 memory"), ("SAN=0", "one of"), ("QUICK=0", "QUICK=1, or leave it out"), ("RESUME=0", "RESUME=1"),
-            ("ENGINE=make", "one of parallel slurm"), ("FORMAT=avi", "one of mp4 gif"),
-            ("ARCH=avx2", "native scalar x86-64-v4 .*did you mean x86-64-v3"), ("ARCH=avx512", "did you mean x86-64-v4"),
-            ("ARCH=sse2", "did you mean x86-64"), ("ARCH=nativ", "did you mean native"), ("ARCH=lanes2", "no such instruction set"),
-        ):  # fmt: skip
-            with self.subTest(given=given):
-                self.refused("run", given, saying=words)
-        self.refused("run", "RESUME=1", "FRESH=1", saying="exclude one another")
-        self.made("-n", "header", "CASE=settle", "SEED=2", "ARGS=--duration 0.1 --no-frames")
-
-    def test_clean_removes_nothing_of_others(self):
-        precious = checkout / "precious"
-        (precious / "g++-native").mkdir(parents=True)
-        code, _, said = make("clean", "BUILD=precious")
-        self.assertEqual(code, 2)
-        self.assertIn("nothing is removed", said)
-        self.assertTrue(precious.exists())
 
 
 if __name__ == "__main__":
