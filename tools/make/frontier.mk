@@ -92,8 +92,8 @@ frontier:  ## error against run time for CASE: bench/reports/CASE/frontier.md; Q
 	$(files) $(frontier)/truth
 	$(files) build-frontier
 	+@$(read_start); [ -z "$$from" ] || $(MAKE) build-program CASE="$$from"
-	@$(read_start); tools/frontier/frontier.py --programs $(frontier) --case $(case_name) --header $(case_header) \
-	  --state $(frontier_state) $${from:+--fill $(case_build)/bin/$$(basename "$$from" .toml)} $(if $(QUICK),--quick) \
+	+@$(read_start); fill=$${from:+$$($(MAKE) print-program CASE="$$from")}; tools/frontier/frontier.py --programs $(frontier) --case $(case_name) --header $(case_header) \
+	  --state $(frontier_state) $${fill:+--fill "$$fill"} $(if $(QUICK),--quick) \
 	  --out $(if $(QUICK),$(frontier)/report,bench/reports/$(run_name))
 
 -include $(wildcard $(frontier)/notes/*.d)

@@ -27,6 +27,10 @@ results = out/$(1)$(if $(SEED),-seed$(SEED))
 usual := $(call results,$(run_name))
 out := $(or $(OUT),$(usual))
 
+.PHONY: print-program
+print-program:
+	@echo $(case_program)
+
 .PHONY: build-program build-cases build-tests build-golden build-bench build-peers build-tidy
 build-program: $(case_program)
 build-cases: $(case_names:%=$(build)/bin/%)
