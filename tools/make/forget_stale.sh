@@ -42,7 +42,7 @@ forget() {
   local changed=$1 name
   while read -r name; do
     case $name in
-      tools/make/rules.mk) rm -f "$build"/*/made_by ;;
+      tools/make/rules.mk) ;;  # its commands are part of made_by
       tools/make/embedded.mk | *.ld) forget_folders embedded && forget_folders identical ;;
       tools/make/*.mk) forget_folders "$(basename "$name" .mk)" ;;
       tools/peers/*) forget_folders peers ;;
@@ -79,7 +79,7 @@ for header in fmt/{base,core,format}.h toml++/{toml.h,impl/version.h} CLI/Versio
   done
 done
 ((${#libraries[@]} == 0)) || identity+=$'\n'$(sums "${libraries[@]}")
-identity+=$'\n'$COMPILER$'\n'$FLAGS$'\n'$LIBRARIES
+identity+=$'\n'$COMPILER$'\n'$FLAGS$'\n'$LIBRARIES$'\n'$(grep -E 'CXX|_flags|libraries|defines|checksum|^(kept|linked|object) ' tools/make/rules.mk | sums)
 replace() { [[ -e $1 && $(<"$1") == "$2" ]] || { printf '%s\n' "$2" >"$1.$$" && mv -f "$1.$$" "$1"; }; }
 if [[ -e $variant && ! ( -e $made_by && $(<"$made_by") == "$identity" ) ]]; then
   echo "fixdem: what is in $variant was made by another compiler, with other options or of unknown sources: it is made anew" >&2
