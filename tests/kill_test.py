@@ -61,7 +61,8 @@ class Scene:
         with open(f"{self.out}.stderr", "w", encoding="utf-8") as error:
             return subprocess.Popen(
                 [self.program, "--out", self.out, "--quiet", *arguments, *(["--resume"] if resume else [])],
-                env=environment, stdout=subprocess.DEVNULL, stderr=error)
+                env=environment, stdout=subprocess.DEVNULL, stderr=error,
+                preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))  # nohup may have started the tests
 
     def error(self):
         return Path(f"{self.out}.stderr").read_text(encoding="utf-8")

@@ -198,7 +198,7 @@ TEST_CASE("schedule: whole steps nearest to the events, never skipped by roundin
 }
 
 TEST_CASE("energy balance: relative to the largest term") {
-  Energy start{2, 0, 0, 0, 0, 0, 0}, now{1, 0.5, 0.5, 0.25, 0.25, 0, 0};
+  Energy start{2, 0, 0, 0, 0, 0, 0, 0}, now{1, 0.5, 0.5, 0.25, 0.25, 0, 0, 0};
   CHECK(balance_error(start, now) == doctest::Approx(0));
   now.kinetic = 1.1;
   CHECK(balance_error(start, now) == doctest::Approx(0.05));

@@ -41,8 +41,13 @@ class Results(WithFolder):
         return {**found, "summary.json": json.dumps(summary)}
 
     def start(self, *options, out="run", case="settle"):
-        """A run that is under way: the first row of its log is there."""
-        running = subprocess.Popen([program(case), "--quiet", "--out", self.folder / out, *options], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        """A run that is under way: the first row of its log is there. It hears all signals, also where nohup started the tests."""
+        def hear_all_signals():
+            for number in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM):
+                signal.signal(number, signal.SIG_DFL)
+
+        running = subprocess.Popen([program(case), "--quiet", "--out", self.folder / out, *options], stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True, preexec_fn=hear_all_signals)
         self.addCleanup(running.stderr.close)
         self.addCleanup(running.kill)
         log, end = self.folder / out / "log.csv", time.monotonic() + 60
