@@ -80,6 +80,7 @@ run_part results_test.py tests/results_test.py "$build" "$reports/results_test.p
 run_part kept_run_test.py tests/kept_run_test.py "$reports/kept_run_test.py.count"
 run_part make_test.py tests/make_test.py "$build" "$1" "$build/scratch/make" "$reports/make_test.py.count"
 run_part make_input_test.py tests/make_input_test.py "$build" "$1" "$build/scratch/make input" "$reports/make_input_test.py.count"
+run_part systems_test.py tests/systems/systems_test.py "$reports/systems_test.py.count"
 run_part lammps_files_test.py tests/lammps_files_test.py "$build" "$reports/lammps_files_test.py.count"
 [[ -z ${KILLS:-} ]] || run_part kill_test.py tests/kill_test.py "$build/bin" "$build/scratch/kill" --kills "$KILLS" \
   --count "$reports/kill_test.py.count"

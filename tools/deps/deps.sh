@@ -3,7 +3,8 @@
 # package manager, through sudo when not root. Says nothing and touches nothing when all is there.
 #
 # Usage: tools/deps/deps.sh GROUP...      groups: run, test, identical, embedded, footprint, bench, report, peers, lammps,
-# lammps-library, mpi, export, check, table, page, browser, figures, movie, picture, render, sweep, slurm, clusters
+# lammps-library, mpi, export, check, table, page, browser, figures, movie, picture, render, sweep, slurm, clusters,
+# systems
 # Environment: CXX (the compiler to probe; default g++), INCLUDES (its -isystem flags).
 # Exit code: 0 all there now, 1 something is still missing.
 set -euo pipefail
