@@ -10,6 +10,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 root = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
@@ -21,7 +22,7 @@ from case_values import law_of, read_case  # noqa: E402
 from checking import Check, check_bed, worst  # noqa: E402
 from derived_cases import derived, with_value  # noqa: E402
 from lammps_law import tsuji_argument, tsuji_polynomial  # noqa: E402
-from marked_part import MarkedPart  # noqa: E402
+from marked_part import KeptTable, MarkedPart  # noqa: E402
 from peer_inputs import Stretch, data_file, script  # noqa: E402
 from states import Observed, State, count_contacts, read_dump, read_final  # noqa: E402
 
@@ -198,6 +199,19 @@ class Verdicts(WithFolder):
         self.assertEqual([(row.best, row.ratio) for row in rows], [(10000.0, 1.0), (1000.0, 10.0)])
         rows = rates.rows_of("bed", {"fixdem": [0.5, 0.25], "lammps": [4.0, 5.0]}, 4e6, {"fixdem": "", "lammps": "skin"})
         self.assertEqual(rates.table(rows).splitlines()[-1], "| `bed` | lammps | 2 | 1.00 | 0.80 (-20%) | 16.00 | skin |")
+
+    def test_a_processor_has_a_row_of_ratios_to_lammps_beside_those_of_others(self):
+        rows, remarks = [], {"fixdem": "", "lammps": "", "liggghts": ""}
+        for scene, lammps in (("bed", 3.8), ("agitated", 1.5)):
+            rows += rates.rows_of(scene, {"fixdem": [0.25], "lammps": [lammps], "liggghts": [9]}, 1000, remarks)
+        with mock.patch("rates.machine", return_value="Chip (family 1, model 2), AVX2"):
+            row = rates.expected_row(rows)
+        self.assertEqual(row, ["Chip (family 1, model 2)", "AVX2", "15.2", "6.0"])
+        kept = KeptTable(self.file((root / "README.md").read_text()), "processors", rates.EXPECTED, 2)
+        before = kept.rows()
+        kept.put([row])
+        self.assertEqual(kept.rows(), sorted([*before, row]))
+        self.assertTrue(all(float(ratio) > 1 for others in before for ratio in others[2:]))
 
     def test_a_readme_without_marks_is_refused_and_one_with_keeps_the_rest(self):
         with self.assertRaisesRegex(SystemExit, "no line"):

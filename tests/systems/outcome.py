@@ -1,17 +1,12 @@
-"""What a command has come to, read from what it printed and left, and the table of all of them.
-
-The table stands in a document between marks and is its own memory: rows of systems and compilers that are tried anew replace those of
-the same name, all others stay, each with the commit it was tried at.
-"""
+"""What a command has come to, read from what it printed and left, as a row of the table of all systems. Rows of systems and compilers
+that are tried anew replace those of the same names, all others stay, each with the commit it was tried at."""
 
 import json
 import re
 from dataclasses import dataclass
 
-HEAD = (
-    "| system | release | compiler | version | `make run` | warnings | min | `make test` | warnings | min | commit |\n"
-    "|---|---|---|---|---|---|---|---|---|---|---|"
-)
+HEAD = ["system", "compiler", "release", "version", "`make run`", "warnings", "min", "`make test`", "warnings", "min", "commit"]
+KEY = 2
 # Of compilers, linkers and make, and gcc's remarks on calling conventions. Those of package installations and casegen's on a case,
 # which begin with its file, are left out.
 WARNING = re.compile(r"(?<!\w)warning: |: note: (?:parameter passing|the ABI)", re.IGNORECASE)
@@ -58,32 +53,22 @@ def version_in(said):
 
 
 def row(names, run, test, commit):
-    """`names`: system, release, compiler and its version."""
+    """`names`: system, compiler, release and the compiler's version."""
     cells = [*names]
     for outcome in (run, test):
         cells += [outcome.result, str(len(outcome.warnings)), f"{outcome.minutes:.1f}"]
-    return f"| {' | '.join([*cells, commit])} |"
+    return [*cells, commit]
 
 
 def row_not_tried(system, compiler, why, commit):
-    return f"| {system} | | {compiler} | | not tried: {why.replace('|', '/')} | | | | | | {commit} |"
+    cells = [system, compiler, "-", "-", f"not tried: {why.replace('|', '/')}"]
+    return cells + ["-"] * (len(HEAD) - len(cells) - 1) + [commit]
 
 
-def joined(old, new):
-    """The table after `new` rows have come to the text of an `old` one: sorted by system and compiler."""
-    rows = {}
-    for line in [*old.splitlines(), *new]:
-        cells = [cell.strip() for cell in line.split("|")]
-        if len(cells) > 5 and not line.startswith(tuple(HEAD.splitlines())):
-            rows[cells[1], cells[3]] = line
-    return "\n".join([HEAD, *(rows[key] for key in sorted(rows))])
-
-
-def states_that_differ(table):
+def states_that_differ(rows):
     """Complaints about rows of one commit whose runs ended in different states."""
     states = {}
-    for line in table.splitlines():
-        cells = [cell.strip() for cell in line.split("|")]
-        if len(cells) > 5 and cells[5].startswith("state "):
-            states.setdefault(cells[-2], set()).add(cells[5])
+    for cells in rows:
+        if cells[4].startswith("state "):
+            states.setdefault(cells[-1], set()).add(cells[4])
     return [f"commit {commit}: {', '.join(sorted(found))}" for commit, found in states.items() if len(found) > 1]

@@ -20,9 +20,10 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(root / "tools" / "report"))
 
 from bare_root import BareRoot, NotTried, remove, run_in  # noqa: E402
-from marked_part import END, MarkedPart  # noqa: E402
+from marked_part import KeptTable  # noqa: E402
 from outcome import (  # noqa: E402
-    joined,
+    HEAD,
+    KEY,
     outcome_of_run,
     outcome_of_test,
     row,
@@ -40,8 +41,10 @@ def say(text):
 
 
 def git(*arguments):
-    command = ["git", "-c", f"safe.directory={root}", "-C", str(root), *arguments]
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+    done = subprocess.run(["git", "-C", str(root), *arguments], stdout=subprocess.PIPE, text=True, check=False)
+    if done.returncode:
+        raise SystemExit(f"fixdem: git {arguments[0]} failed (see above): test-systems tries what is committed in this checkout")
+    return done.stdout.strip()
 
 
 def timed(copy, folder, command, log):
@@ -72,8 +75,7 @@ def try_compiler(bare, compiler, logs, commit):
     """The row of one system and compiler, and whether all was as it should be."""
     copy = bare.copy()
     try:
-        source = ["-c", f"safe.directory={root}/.git", "clone", "--quiet", "--no-hardlinks", str(root), f"{copy}{CHECKOUT}"]
-        subprocess.run(["git", *source], check=True)
+        git("clone", "--quiet", "--no-hardlinks", ".", f"{copy}{CHECKOUT}")
         outcomes = []
         for command in ("run", "test"):
             log = logs / f"{bare.family}-{bare.suite}-{compiler}-{command}.txt"
@@ -86,7 +88,7 @@ def try_compiler(bare, compiler, logs, commit):
             report(f"{bare.family}:{bare.suite}, make {command} CXX={compiler}", outcomes[-1], log)
         log = logs / "version.txt"
         run_in(copy, "/", [compiler, "--version"], log)
-        names = (f"{bare.family}:{bare.suite}", release_of(copy), compiler, version_in(log.read_text()))
+        names = (f"{bare.family}:{bare.suite}", compiler, release_of(copy), version_in(log.read_text()))
         return row(names, *outcomes, commit), all(outcome.passed and not outcome.warnings for outcome in outcomes)
     finally:
         remove(copy)
@@ -118,7 +120,7 @@ def main():
         say("debootstrap and chroot are for root only: sudo make test-systems")
         return 2
     (chosen.folder / "logs").mkdir(parents=True, exist_ok=True)
-    document = MarkedPart(chosen.document, "systems table")
+    document = KeptTable(chosen.document, "systems table", HEAD, KEY)
     with open(chosen.folder / "lock", "w") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -130,12 +132,10 @@ def main():
         commit, all_passed = git("rev-parse", "--short=7", "HEAD"), True
         for system in chosen.systems:
             for new, passed in try_system(system, chosen.compilers, chosen.folder.resolve(), commit):
-                text = document.path.read_text()
-                table = joined(text[text.find(document.begin) : text.find(END, text.find(document.begin))], [new])
-                document.write(table)
+                table = document.put([new])
                 all_passed &= passed
     print(table)
-    for complaint in states_that_differ(table):
+    for complaint in states_that_differ(document.rows()):
         say(f"runs ended in different states: {complaint}")
         all_passed = False
     return 0 if all_passed else 1

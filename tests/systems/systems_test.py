@@ -14,12 +14,13 @@ from unittest import mock
 
 here = Path(__file__).resolve().parent
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(here), str(here.parent)]
+sys.path[:0] = [str(here), str(here.parent), str(here.parent.parent / "tools" / "report")]
 
 import counted  # noqa: E402
 import outcome  # noqa: E402
 import systems  # noqa: E402
 from bare_root import BareRoot, NotTried  # noqa: E402
+from marked_part import KeptTable  # noqa: E402
 from with_folder import WithFolder  # noqa: E402
 
 COMPILED = """  compile kernel/step.hpp
@@ -75,30 +76,35 @@ class ReadingOutput(unittest.TestCase):
             self.assertEqual(outcome.version_in(said), version)
 
 
-def rows_of(table):
-    return [[cell.strip() for cell in line.split("|")] for line in table.splitlines()[2:]]
+class Table(WithFolder):
+    def setUp(self):
+        super().setUp()
+        document = self.write("document.md", "before\n<!-- systems table -->\n<!-- end -->\nafter\n")
+        self.table = KeptTable(document, "systems table", outcome.HEAD, outcome.KEY)
 
-
-class Table(unittest.TestCase):
     def row(self, compiler, state, commit):
         run = outcome.outcome_of_run(0, "a.cpp:1:1: warning: b\n", summary(state), 90)
-        return outcome.row(("debian:trixie", "13.1", compiler, "14.2.0"), run, outcome.outcome_of_test(0, "5 passed, 0 failed\n", 600), commit)
+        test = outcome.outcome_of_test(0, "5 passed, 0 failed\n", 600)
+        return outcome.row(("debian:trixie", compiler, "13.1", "14.2.0"), run, test, commit)
 
     def test_rows_tried_anew_replace_their_like_and_others_stay(self):
-        first = outcome.joined("", [self.row("g++", "aa", "c1"), outcome.row_not_tried("ubuntu:noble", "g++", "no mirror", "c1")])
-        second = outcome.joined(first, [self.row("g++", "bb", "c2"), self.row("clang++", "bb", "c2")])
-        self.assertEqual([(cells[1], cells[3], cells[-2]) for cells in rows_of(second)],
-                         [("debian:trixie", "clang++", "c2"), ("debian:trixie", "g++", "c2"), ("ubuntu:noble", "g++", "c1")])  # fmt: skip
-        self.assertEqual(rows_of(second)[1][5:-2], ["state bb", "1", "1.5", "5 passed, 0 failed", "0", "10.0"])
-        self.assertEqual(rows_of(second)[2][5], "not tried: no mirror")
-        self.assertEqual(outcome.joined(second, []), second)
+        self.table.put([outcome.row_not_tried("ubuntu:noble", "g++", "no mirror", "c1"), self.row("g++", "aa", "c1")])
+        said = self.table.put([self.row("g++", "bb", "c2"), self.row("clang++", "bb", "c2")])
+        rows = self.table.rows()
+        begun = [(row[0], row[1], row[-1]) for row in rows]
+        self.assertEqual(begun, [("debian:trixie", "clang++", "c2"), ("debian:trixie", "g++", "c2"), ("ubuntu:noble", "g++", "c1")])
+        self.assertEqual(rows[1][4:-1], ["state bb", "1", "1.5", "5 passed, 0 failed", "0", "10.0"])
+        self.assertEqual(rows[2][4], "not tried: no mirror")
+        self.assertEqual({len(row) for row in rows}, {len(outcome.HEAD)})
+        self.assertEqual(self.table.path.read_text(), f"before\n<!-- systems table -->\n{said}\n<!-- end -->\nafter\n")
+        self.assertEqual(self.table.put([]), said)
 
     def test_states_that_differ_at_one_commit_are_told(self):
-        same = outcome.joined("", [self.row("g++", "aa", "c1"), self.row("clang++", "aa", "c1")])
+        same = [self.row("g++", "aa", "c1"), self.row("clang++", "aa", "c1")]
         self.assertEqual(outcome.states_that_differ(same), [])
-        other = outcome.joined(same, [self.row("clang++", "bb", "c1")])
-        self.assertEqual(outcome.states_that_differ(other), ["commit c1: state aa, state bb"])
-        self.assertEqual(outcome.states_that_differ(outcome.joined(same, [self.row("clang++", "bb", "c2")])), [])
+        other = outcome.states_that_differ([*same, self.row("clang++", "bb", "c1")])
+        self.assertEqual(other, ["commit c1: state aa, state bb"])
+        self.assertEqual(outcome.states_that_differ([*same, self.row("clang++", "bb", "c2")]), [])
 
 
 class Refusals(WithFolder):

@@ -31,12 +31,12 @@ bench-report:  ## run the benchmarks five times (or read JSON=file): table, pict
 	tools/bench_report/bench_report.py $(or $(JSON),$(bench_runs)) --reports bench/reports --readme bench/README.md --head README.md
 
 .PHONY: bench-peers
-bench-peers:  ## fixdem beside LAMMPS and LIGGGHTS, same scenes, one core; LMP=/path/to/lmp, JSON=file; rewrites the table in bench/README.md
+bench-peers:  ## fixdem beside LAMMPS and LIGGGHTS, same scenes, one core; LMP=/path/to/lmp, JSON=file; rewrites the table in bench/README.md and a row in README.md
 	$(needs) run peers $(if $(LMP),,lammps)
 	$(files) build-peers
 	+@$(MAKE) final-state CASE=pipe_bed $(plainly)
 	tools/peers/bench_peers.py --programs $(peers)/bin --headers $(peers)/cases --settled out/pipe_bed/final.fixdem \
-	  --out out/peers --readme bench/README.md $(if $(LMP),--lmp '$(LMP)') $(if $(JSON),--json '$(JSON)')
+	  --out out/peers --readme bench/README.md --head README.md $(if $(LMP),--lmp '$(LMP)') $(if $(JSON),--json '$(JSON)')
 
 .PHONY: bench-scaling
 scaling_runs := $(foreach n,1 2 3,$(build)/bench-scaling-$n.json)

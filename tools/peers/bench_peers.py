@@ -19,7 +19,7 @@ sys.path.append(str(Path(__file__).parent.parent / "report"))
 import rates
 from case_values import law_of, read_case
 from checking import check_agitated, check_bed, check_law
-from marked_part import MarkedPart
+from marked_part import KeptTable, MarkedPart
 from peer_inputs import Stretch
 from running import Fixdem, Peer
 from states import State, observe, read_final
@@ -145,10 +145,12 @@ def main():
     arguments.add_argument("--core", type=int, default=max(os.sched_getaffinity(0)), help="the core all run on (default: the last)")
     arguments.add_argument("--json", type=Path, help="write {scene, program, particle_steps_per_second, ratio} there")
     arguments.add_argument("--readme", type=Path, help="rewrite the table there")
+    arguments.add_argument("--head", type=Path, help="write this machine's row of the table of processors there")
     chosen = arguments.parse_args()
     if chosen.runs < 1:
         arguments.error("--runs: one or more")
     part = MarkedPart(chosen.readme, "peers") if chosen.readme else None
+    expected = KeptTable(chosen.head, "processors", rates.EXPECTED, 2) if chosen.head else None
 
     fixdem = Fixdem(chosen.programs, chosen.core, chosen.out / "fixdem")
     commands = {"lammps": found(chosen.lmp), "liggghts": found(chosen.liggghts)}
@@ -173,6 +175,8 @@ def main():
         rates.write_json(chosen.json, rows)
     if part:
         part.write(text)
+    if expected:
+        expected.put([rates.expected_row(rows)])
 
 
 if __name__ == "__main__":

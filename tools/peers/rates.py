@@ -61,6 +61,16 @@ def table(rows):
     return "\n".join(lines)
 
 
+# What to expect on a processor: a row for each machine, of fixdem beside the first peer.
+EXPECTED = ["processor", "vectors", "settled bed, fixdem / LAMMPS", "in flight, fixdem / LAMMPS"]
+
+
+def expected_row(rows):
+    processor, _, vectors = machine().rpartition(", ")
+    ratios = {row.scene: row.ratio for row in rows if row.program == "lammps"}
+    return [processor, vectors, f"{ratios['bed']:.1f}", f"{ratios['agitated']:.1f}"]
+
+
 def write_json(path, rows):
     entries = [
         {"scene": row.scene, "program": row.program, "particle_steps_per_second": row.best, "ratio": row.ratio} for row in rows
