@@ -18,6 +18,8 @@ SCRIPTS, FALLBACK = Path("/usr/share/debootstrap/scripts"), {"debian": "sid", "u
 PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 PROXIES = ("http_proxy", "https_proxy", "no_proxy")
 TIME_LIMIT = 3 * 3600  # s, for a command that waits for something
+# A mount namespace of its own, which ends with this program, even when that is killed.
+APART = ("setpriv", "--pdeathsig", "KILL", "unshare", "--mount")
 # The shell stays as process 1 and waits for what others leave behind.
 ENTER = 'mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && mount --rbind /sys "$1/sys" && shift && "$@"; exit $?'
 
@@ -55,7 +57,7 @@ class BareRoot:
             command.append(FALLBACK[self.family])
         with open(log, "w") as said:
             code = subprocess.run(
-                ["unshare", "--mount", *command], stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.STDOUT, check=False
+                [*APART, *command], stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.STDOUT, check=False
             ).returncode
         if code:
             lines = [line for line in Path(log).read_text(errors="replace").splitlines() if line.startswith(("E:", "W:"))]
@@ -101,7 +103,7 @@ def run_in(path, folder, command, log):
     environment |= {name: os.environ[name] for name in PROXIES if name in os.environ}
     inside = ["chroot", str(path), "env", "-i", *(f"{name}={value}" for name, value in environment.items())]
     inside += ["sh", "-c", 'cd "$0" && exec "$@"', folder, *command]
-    outside = ["unshare", "--mount", "--pid", "--fork", "--kill-child", "sh", "-c", ENTER, "sh", str(path), *inside]
+    outside = [*APART, "--pid", "--fork", "--kill-child", "sh", "-c", ENTER, "sh", str(path), *inside]
     with open(log, "w") as said:
         try:
             return subprocess.run(

@@ -10,6 +10,7 @@ Only what is committed is tried. Exit code: 0 all passed without a warning, 1 so
 import argparse
 import fcntl
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -119,6 +120,7 @@ def main():
     if os.geteuid() != 0:
         say("debootstrap and chroot are for root only: sudo make test-systems")
         return 2
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))  # so that copies are removed
     (chosen.folder / "logs").mkdir(parents=True, exist_ok=True)
     document = KeptTable(chosen.document, "systems table", HEAD, KEY)
     with open(chosen.folder / "lock", "w") as lock:
