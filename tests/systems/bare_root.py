@@ -8,6 +8,7 @@ machine's apt does not know from the mirror that is named.
 """
 
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -28,12 +29,18 @@ class NotTried(Exception):
     """Why there is no root of a system."""
 
 
+def name_refused(system):
+    """What is wrong with a name that should be FAMILY:SUITE, for example debian:trixie; None when nothing is."""
+    family, _, suite = system.partition(":")
+    if family in COMPONENTS and re.fullmatch(r"[a-z][a-z0-9-]*", suite):
+        return None
+    return f"'{system}' is no system; allowed: {', '.join(f'{name}:SUITE' for name in COMPONENTS)}; for example debian:trixie"
+
+
 class BareRoot:
     def __init__(self, system, folder, mirror=None, keyring=None):
-        """`system`: FAMILY:SUITE, for example debian:trixie. `folder`: where roots are kept."""
+        """`system`: FAMILY:SUITE. `folder`: where roots are kept."""
         self.family, _, self.suite = system.partition(":")
-        if self.family not in COMPONENTS or not self.suite:
-            raise NotTried(f"'{system}' is no system; allowed: debian:SUITE, ubuntu:SUITE")
         self.folder = Path(folder)
         self.kept = self.folder / f"{self.family}-{self.suite}"
         self.mirror = mirror or mirror_of(self.family)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 HEAD = ["system", "compiler", "release", "version", "`make run`", "warnings", "min", "`make test`", "warnings", "min", "commit"]
 KEY = 2
+NOT_TRIED = "not tried: "
 # Of compilers, linkers and make, and gcc's remarks on calling conventions. Those of package installations and casegen's on a case,
 # which begin with its file, are left out.
 WARNING = re.compile(r"(?<!\w)warning: |: note: (?:parameter passing|the ABI)", re.IGNORECASE)
@@ -61,8 +62,14 @@ def row(names, run, test, commit):
 
 
 def row_not_tried(system, compiler, why, commit):
-    cells = [system, compiler, "-", "-", f"not tried: {why.replace('|', '/')}"]
+    cells = [system, compiler, "-", "-", f"{NOT_TRIED}{why.replace('|', '/')}"]
     return cells + ["-"] * (len(HEAD) - len(cells) - 1) + [commit]
+
+
+def new_rows(rows, new):
+    """A row that says why something could not be tried this time does not displace what came out at another."""
+    tried = any(row[:KEY] == new[:KEY] and not row[4].startswith(NOT_TRIED) for row in rows)
+    return [] if tried and new[4].startswith(NOT_TRIED) else [new]
 
 
 def states_that_differ(rows):

@@ -20,13 +20,14 @@ root = Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(root / "tools" / "report"))
 
-from bare_root import BareRoot, NotTried, remove, run_in  # noqa: E402
+from bare_root import BareRoot, NotTried, name_refused, remove, run_in  # noqa: E402
 from marked_part import KeptTable  # noqa: E402
 from outcome import (  # noqa: E402
     HEAD,
     KEY,
     outcome_of_run,
     outcome_of_test,
+    new_rows,
     row,
     row_not_tried,
     states_that_differ,
@@ -117,6 +118,8 @@ def main():
     arguments.add_argument("--folder", type=Path, required=True)
     arguments.add_argument("--document", type=Path, required=True, help="file with the marks of the table")
     chosen = arguments.parse_args()
+    for wrong in filter(None, map(name_refused, chosen.systems)):
+        arguments.error(wrong)
     if os.geteuid() != 0:
         say("debootstrap and chroot are for root only: sudo make test-systems")
         return 2
@@ -134,7 +137,7 @@ def main():
         commit, all_passed = git("rev-parse", "--short=7", "HEAD"), True
         for system in chosen.systems:
             for new, passed in try_system(system, chosen.compilers, chosen.folder.resolve(), commit):
-                table = document.put([new])
+                table = document.put(new_rows(document.rows(), new))
                 all_passed &= passed
     print(table)
     for complaint in states_that_differ(document.rows()):

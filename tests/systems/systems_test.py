@@ -19,7 +19,7 @@ sys.path[:0] = [str(here), str(here.parent), str(here.parent.parent / "tools" / 
 import counted  # noqa: E402
 import outcome  # noqa: E402
 import systems  # noqa: E402
-from bare_root import BareRoot, NotTried  # noqa: E402
+from bare_root import BareRoot, NotTried, name_refused  # noqa: E402
 from marked_part import KeptTable  # noqa: E402
 from with_folder import WithFolder  # noqa: E402
 
@@ -99,6 +99,16 @@ class Table(WithFolder):
         self.assertEqual(self.table.path.read_text(), f"before\n<!-- systems table -->\n{said}\n<!-- end -->\nafter\n")
         self.assertEqual(self.table.put([]), said)
 
+    def test_what_could_not_be_tried_this_time_does_not_displace_what_came_out_before(self):
+        why = outcome.row_not_tried("debian:trixie", "g++", "no mirror", "c2")
+        for rows, new, kept in (
+            ([self.row("g++", "aa", "c1")], why, []),
+            ([self.row("clang++", "aa", "c1")], why, [why]),
+            ([why], why, [why]),
+            ([why], self.row("g++", "aa", "c3"), [self.row("g++", "aa", "c3")]),
+        ):
+            self.assertEqual(outcome.new_rows(rows, new), kept)
+
     def test_states_that_differ_at_one_commit_are_told(self):
         same = [self.row("g++", "aa", "c1"), self.row("clang++", "aa", "c1")]
         self.assertEqual(outcome.states_that_differ(same), [])
@@ -108,14 +118,16 @@ class Table(WithFolder):
 
 
 class Refusals(WithFolder):
-    def test_systems_without_mirror_or_keyring_or_name_are_not_tried(self):
-        for system, mirror, keyring, why in (
-            ("fedora:41", None, None, "'fedora:41' is no system; allowed: debian:SUITE, ubuntu:SUITE"),
-            ("trixie", None, None, "'trixie' is no system"),
-            ("ubuntu:noble", "http://mirror.invalid/", self.folder / "none.gpg", "name the keyring that signs ubuntu: UBUNTU_KEYRING=FILE"),
-        ):
-            with self.assertRaisesRegex(NotTried, why):
-                BareRoot(system, self.folder, mirror, keyring).make(self.folder / "log")
+    def test_what_is_no_system_or_lacks_mirror_or_keyring_is_told(self):
+        bare = BareRoot("ubuntu:noble", self.folder, "http://mirror.invalid/", self.folder / "none.gpg")
+        with self.assertRaisesRegex(NotTried, "none.gpg; name the keyring that signs ubuntu: UBUNTU_KEYRING=FILE"):
+            bare.make(self.folder / "log")
+        bare.mirror = None
+        with self.assertRaisesRegex(NotTried, "no mirror of ubuntu; name one: UBUNTU_MIRROR=URL"):
+            bare.make(self.folder / "log")
+        for name in ("trixie", "fedora:41", "debian:", "debian:../etc", ":"):
+            self.assertIn(f"'{name}' is no system; allowed: debian:SUITE, ubuntu:SUITE", name_refused(name))
+        self.assertEqual([name_refused(name) for name in ("debian:trixie", "ubuntu:noble")], [None, None])
 
     def test_without_root_it_refuses_in_words(self):
         command = ["systems.py", "debian:trixie", "--folder", str(self.folder / "new"), "--document", "none.md"]
