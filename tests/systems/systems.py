@@ -42,11 +42,15 @@ def say(text):
     print(f"fixdem: {text}", file=sys.stderr, flush=True)
 
 
-def git(*arguments):
-    done = subprocess.run(["git", "-C", str(root), *arguments], stdout=subprocess.PIPE, text=True, check=False)
+def git(*arguments, folder=root):
+    done = subprocess.run(["git", "-C", str(folder), *arguments], stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode:
         raise SystemExit(f"fixdem: git {arguments[0]} failed (see above): test-systems tries what is committed in this checkout")
     return done.stdout.strip()
+
+
+def commit_in(folder):
+    return git("rev-parse", "--short=7", "HEAD", folder=folder)
 
 
 def timed(copy, folder, command, log):
@@ -73,17 +77,17 @@ def report(command, outcome, log):
         say(f"  ... and {len(outcome.warnings) - SHOWN} more")
 
 
-def try_compiler(bare, compiler, logs, commit):
+def try_compiler(bare, compiler, logs):
     """The row of one system and compiler, and whether all was as it should be."""
     copy = bare.copy()
+    clone, outcomes = f"{copy}{CHECKOUT}", []
     try:
-        git("clone", "--quiet", "--no-hardlinks", ".", f"{copy}{CHECKOUT}")
-        outcomes = []
+        git("clone", "--quiet", "--no-hardlinks", ".", clone)
         for command in ("run", "test"):
             log = logs / f"{bare.family}-{bare.suite}-{compiler}-{command}.txt"
             code, said, seconds = timed(copy, CHECKOUT, ["make", command, f"CXX={compiler}"], log)
             if command == "run":
-                summaries = list((copy / CHECKOUT[1:] / "out").glob("plug_u24*/summary.json"))
+                summaries = list(Path(clone, "out").glob("plug_u24*/summary.json"))
                 outcomes.append(outcome_of_run(code, said, summaries[0].read_text() if summaries else None, seconds))
             else:
                 outcomes.append(outcome_of_test(code, said, seconds))
@@ -91,12 +95,12 @@ def try_compiler(bare, compiler, logs, commit):
         log = logs / "version.txt"
         run_in(copy, "/", [compiler, "--version"], log)
         names = (f"{bare.family}:{bare.suite}", compiler, release_of(copy), version_in(log.read_text()))
-        return row(names, *outcomes, commit), all(outcome.passed and not outcome.warnings for outcome in outcomes)
+        return row(names, *outcomes, commit_in(clone)), all(outcome.passed and not outcome.warnings for outcome in outcomes)
     finally:
         remove(copy)
 
 
-def try_system(system, compilers, folder, commit):
+def try_system(system, compilers, folder):
     """(row, passed) for each compiler."""
     family = system.partition(":")[0].upper()
     try:
@@ -105,10 +109,10 @@ def try_system(system, compilers, folder, commit):
     except NotTried as why:
         say(f"{system} not tried: {why}")
         for compiler in compilers:
-            yield row_not_tried(system, compiler, str(why), commit), False
+            yield row_not_tried(system, compiler, str(why), commit_in(root)), False
         return
     for compiler in compilers:
-        yield try_compiler(bare, compiler, folder / "logs", commit)
+        yield try_compiler(bare, compiler, folder / "logs")
 
 
 def main():
@@ -134,9 +138,9 @@ def main():
             return 2
         if git("status", "--porcelain", "--untracked-files=no"):
             say("changes that are not committed are left out")
-        commit, all_passed = git("rev-parse", "--short=7", "HEAD"), True
+        all_passed = True
         for system in chosen.systems:
-            for new, passed in try_system(system, chosen.compilers, chosen.folder.resolve(), commit):
+            for new, passed in try_system(system, chosen.compilers, chosen.folder.resolve()):
                 table = document.put(new_rows(document.rows(), new))
                 all_passed &= passed
     print(table)
