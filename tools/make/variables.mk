@@ -73,6 +73,18 @@ kind.PICTURES := path
 about.PICTURES := folder for pictures of the page (test-report)
 kind.INSTRUMENTED := path
 about.INSTRUMENTED := folder of a libc++ built with the memory sanitizer (SAN=memory)
+kind.SYSTEMS := words
+about.SYSTEMS := debian:SUITE or ubuntu:SUITE, several (test-systems)
+kind.COMPILERS := words
+about.COMPILERS := commands to try on each system (test-systems)
+kind.DEBIAN_MIRROR := words
+about.DEBIAN_MIRROR := URL of packages (the one that this machine's apt knows; test-systems)
+kind.UBUNTU_MIRROR := words
+about.UBUNTU_MIRROR := the same for Ubuntu
+kind.DEBIAN_KEYRING := path
+about.DEBIAN_KEYRING := file of the keys that sign packages (/usr/share/keyrings/debian-archive-keyring.gpg; test-systems)
+kind.UBUNTU_KEYRING := path
+about.UBUNTU_KEYRING := the same for Ubuntu
 # Given by one target to another; not for users, and not in `make help`.
 kind.DURATION := number
 kind.START := path
