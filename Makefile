@@ -50,7 +50,7 @@ help:  ## this list
 	@echo 'make TARGET [VARIABLE=value ...]'
 	@sed -nE 's/^([a-z-]+):.*## (.*)/  \1\t\2/p' $(filter Makefile tools/make/%.mk,$(MAKEFILE_LIST)) | expand -t 16
 	@echo 'Variables:'
-	@sed -nE 's/^about\.([A-Z_]+) := (.*)/  \1\t\2/p' tools/make/variables.mk | expand -t 16
+	@sed -nE 's/^about\.([A-Z_]+) := (.*)/  \1\t\2/p' tools/make/variables.mk | expand -t 18
 
 .PHONY: run
 run:  ## build and run CASE, and first the case it starts from; results in OUT; RESUME=1 goes on with it, EXTEND=s makes it longer, FRESH=1 begins anew

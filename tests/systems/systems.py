@@ -84,7 +84,7 @@ def try_compiler(bare, compiler, logs):
     try:
         git("clone", "--quiet", "--no-hardlinks", ".", clone)
         for command in ("run", "test"):
-            log = logs / f"{bare.family}-{bare.suite}-{compiler}-{command}.txt"
+            log = logs / f"{bare.family}-{bare.suite}-{Path(compiler).name}-{command}.txt"
             code, said, seconds = timed(copy, CHECKOUT, ["make", command, f"CXX={compiler}"], log)
             if command == "run":
                 summaries = list(Path(clone, "out").glob("plug_u24*/summary.json"))
