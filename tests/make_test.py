@@ -136,9 +136,12 @@ class Contents(Made):
         program = checkout / variant / "bin" / "linked_before"
         program.parent.mkdir(exist_ok=True)
         program.write_text("")
+        of_a_root = checkout / "build" / "systems" / "roots" / "tidy"
+        of_a_root.mkdir(parents=True, exist_ok=True)
         (checkout / "tools/run/side_view.cpp").unlink()
         self.made("-n", "build-program", "CASE=settle")
         self.assertFalse(program.exists())
+        self.assertTrue(of_a_root.exists(), "roots of other systems are not made of sources")
 
     def test_another_compiler_of_the_same_name(self):
         self.restored()

@@ -22,12 +22,12 @@ fi
 sums() { if command -v sha256sum >/dev/null; then sha256sum "$@"; else shasum -a 256 "$@"; fi; }
 export -f sums
 
-# All folders of this name but those among objects and packages of npm.
-forget_folders() { find "$build" \( -name objects -o -name node -o -name instrumented \) -prune -o -type d -name "$1" -prune -exec rm -rf {} +; }
+# All folders of this name but those among objects, packages of npm and roots of other systems.
+forget_folders() { find "$build" \( -name objects -o -name node -o -name instrumented -o -name systems \) -prune -o -type d -name "$1" -prune -exec rm -rf {} +; }
 
 # Targets in the compiler's notes that were made of a file in $1, one per line there.
 made_of() {
-  find "$build" -name node -prune -o -name '*.d' -print0 | CHANGED=$1 xargs -0 -r awk '
+  find "$build" \( -name node -o -name systems \) -prune -o -name '*.d' -print0 | CHANGED=$1 xargs -0 -r awk '
     BEGIN { split(ENVIRON["CHANGED"], names, "\n"); for (i in names) changed[names[i]] }
     {
       goes_on = sub(/\\$/, "")
@@ -52,7 +52,7 @@ forget() {
     case $name in *.hpp | *.cpp) forget_folders tidy && forget_folders checked ;; esac
     # What a file that is gone was linked into has no note of it.
     if [[ $name == *.cpp && ! -e $name ]]; then
-      find "$build" -mindepth 2 -maxdepth 2 ! -path "$build/node/*" ! -path "$build/instrumented/*" ! -name objects ! -name made_by -exec rm -rf {} +
+      find "$build" -mindepth 2 -maxdepth 2 ! -path "$build/node/*" ! -path "$build/instrumented/*" ! -path "$build/systems/*" ! -name objects ! -name made_by -exec rm -rf {} +
     fi
   done <<<"$changed"
   made_of "$changed" | sort -u | tr '\n' '\0' | xargs -0 -r rm -f
