@@ -70,15 +70,25 @@ printf '%s\n' "$now" >"$seen.$$"
 mv -f "$seen.$$" "$seen"
 
 # The compiler's version, and what -march=native stands for on this machine; versions of the libraries that are compiled in.
-identity=$($COMPILER $FLAGS -v -dM -E -x c++ /dev/null 2>&1 | grep -v ' /tmp/' | sums) || exit 0
-libraries=()
-for header in fmt/{base,core,format}.h toml++/{toml.h,impl/version.h} CLI/Version.hpp nlohmann/detail/abi_macros.hpp nlohmann/json.hpp xxhash.h \
-  doctest/doctest.h boost/version.hpp; do
-  for folder in /usr/include /usr/local/include /opt/homebrew/include; do
-    [[ ! -e $folder/$header ]] || libraries+=("$folder/$header")
+# Where it looks for headers is left out: it says which of the folders are there, and ours is not at first.
+options=$(sed -E 's/-(I|isystem) ?[^ ]+//g' <<<"$FLAGS")
+identity=$($COMPILER $options -v -dM -E -x c++ /dev/null 2>&1 | grep -v ' /tmp/' | sums) || exit 0
+found() {
+  local header folder
+  for header in "$@"; do
+    for folder in /usr/include /usr/local/include /opt/homebrew/include; do
+      [[ ! -e $folder/$header ]] || echo "$folder/$header"
+    done
   done
+}
+mapfile -t libraries < <(found fmt/{base,core,format}.h toml++/{toml.h,impl/version.h} CLI/Version.hpp nlohmann/detail/abi_macros.hpp nlohmann/json.hpp xxhash.h)
+# They may be about to be installed (tools/deps); then there is nothing made with others yet.
+for name in fmt toml++ CLI nlohmann xxhash; do
+  [[ -e $variant || ${libraries[*]} == *"/$name"* ]] || exit 0
 done
 ((${#libraries[@]} == 0)) || identity+=$'\n'$(sums "${libraries[@]}")
+mapfile -t libraries < <(found doctest/doctest.h boost/version.hpp)
+((${#libraries[@]} == 0)) || TEST_FLAGS+=$'\n'$(sums "${libraries[@]}")
 identity+=$'\n'$COMPILER$'\n'$FLAGS$'\n'$LIBRARIES$'\n'$(grep -E 'CXX|_flags|libraries|defines|checksum|^(kept|linked|object) ' tools/make/rules.mk | sums)
 replace() { [[ -e $1 && $(<"$1") == "$2" ]] || { printf '%s\n' "$2" >"$1.$$" && mv -f "$1.$$" "$1"; }; }
 if [[ -e $variant && ! ( -e $made_by && $(<"$made_by") == "$identity" ) ]]; then
