@@ -51,7 +51,10 @@ class ExactImpact {
     sliding_ = 0;
     peak_ = 0;
     Scalar time = 0, step = 1e-12L;
-    auto stepper = boost::numeric::odeint::make_controlled(tolerance_, tolerance_, Fehlberg());
+    // make_controlled copies the scratch space of a stepper, too. One of static storage has some; g++ 14 warns of
+    // others.
+    static const Fehlberg fresh;
+    auto stepper = boost::numeric::odeint::make_controlled(tolerance_, tolerance_, fresh);
     const auto rhs = [this](const State& s, State& d, Scalar) { derivative(s, d); };
     for (long long taken = 0;; ++taken) {
       if (taken > 10'000'000) throw std::runtime_error("the exact impact does not end");
