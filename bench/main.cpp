@@ -1,8 +1,8 @@
 // The standard set of benchmarks: whole steps, stages, and the arithmetic bound, timed with Google Benchmark.
 //
 // Usage: bench FOLDER [Google Benchmark's options]. In the folder lie the final states of pipe_bed, settle and plug_u24
-// (`make bench` sees to them). Names: step/<scene>/<N>/<precision>, stage/<stage>/<N>/<precision>,
-// bound/law/<precision>.
+// (`make bench` sees to them). Names: step/<scene>/<N>/<precision>, step/<scene>/<N>/<D over d>/<precision>
+// (pipes.cpp), stage/<stage>/<N>/<precision>, bound/law/<precision>.
 #include <benchmark/benchmark.h>
 
 #include <iostream>
@@ -96,6 +96,7 @@ int main(int argc, char** argv) {
     read_states(argv[1]);
     register_steps<fixdem::Precision::double_precision>();
     register_steps<fixdem::Precision::mixed_precision>();
+    register_pipes();
     register_stages();
     argv[1] = argv[0];
     --argc;

@@ -1,4 +1,5 @@
-// The stages of a step, one at a time: stage/<stage>/<N>/<precision>.
+// The stages of a step, one at a time: stage/<stage>/<N>/<precision>, of listing also stage/<stage>/<N>/<D over
+// d>/<precision>.
 //
 // A stage is a function of the kernel called for the whole pipe on the state of a scene under way; this is the one file
 // of the benchmarks that knows how a step is put together. Called again and again, a stage would change its own input
@@ -9,6 +10,7 @@
 #include "stages.hpp"
 
 #include "counters.hpp"
+#include "pipes.hpp"
 #include "scenes.hpp"
 
 namespace fixdem::bench {
@@ -16,14 +18,26 @@ namespace {
 
 constexpr int W = native_lanes;
 
+/// All ranges, with the walls of all chunks, listed out of the outer list.
 template <class Case>
 struct NearListStage {
   static constexpr Contacting contacting = Contacting::none;
   static void call(State<Case>& s) {
-    for (int range = 0; range < NearList<Case>::ranges; ++range)
-      require(list_again<Case, W>(s.contacts, s.near_list, s.particles, s.scratch, range));
+    for (int range = 0; range < NearList<Case>::ranges; ++range) {
+      if (range < Capacity<Case>::chunks) s.near_list.pipe[range].used = s.near_list.ends[range].used = 1;
+      require(keep_listed<Case, W>(s.contacts, s.near_list, s.particles, s.kept, range, 1));  // a way of a metre
+    }
     for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
       require(list_slots(s.contacts, s.near_list, s.particles, s.scratch, chunk));
+  }
+};
+
+/// Particles sorted again, and everything listed.
+template <class Case>
+struct OrderStage {
+  static constexpr Contacting contacting = Contacting::none;
+  static void call(State<Case>& s) {
+    require(renew<Case, W>(s.contacts, s.near_list, s.particles, s.kept, s.scratch, s.step));
   }
 };
 
@@ -34,8 +48,9 @@ struct PairStage {
     constexpr int width = Contacts<Case>::row_width;
     for (int range = 0; range < NearList<Case>::ranges; ++range) {
       const bool wraps = range == Capacity<Case>::chunks;
-      Real<Case>* rows = s.contacts.rows[0] + (wraps ? Rows<Case>::wrap_first : Rows<Case>::first(range)) * width;
-      pair_contacts<Case, W>(s.contacts.pairs, s.particles, range, s.near_list.is_still(range), rows, s.watch[range]);
+      Real<Case>* rows = s.contacts.ring(0) + (wraps ? Rows<Case>::wrap_first : s.contacts.first_row(range)) * width;
+      const bool are_still = s.near_list.is_still(s.near_list.velocities_of(range));
+      dense_pairs<Case, W>(s.contacts.pairs, s.particles, range, are_still, rows, s.watch[range]);
     }
   }
 };
@@ -46,9 +61,19 @@ struct WallStage {
   static void call(State<Case>& s) {
     constexpr int width = Contacts<Case>::row_width;
     for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
-      wall_contacts<Case, W, PipeSurface<Case>>(s.contacts.pipe, s.particles, chunk, s.near_list.is_still(chunk),
-                                                s.contacts.rows[0] + first_pipe_row(s.contacts, chunk) * width,
-                                                s.watch[chunk]);
+      dense_walls<Case, W, PipeSurface<Case>>(
+          s.contacts.pipe, s.particles, chunk, s.near_list.is_still(s.near_list.velocities_of(chunk)),
+          s.contacts.ring(0) + first_pipe_row(s.contacts, chunk) * width, s.watch[chunk]);
+  }
+};
+
+/// Contacts of sparse chunks, from the separations to the sums of their particles.
+template <class Case>
+struct SparseStage {
+  static constexpr Contacting contacting = Contacting::all;
+  static void call(State<Case>& s) {
+    for (int chunk = 0; chunk < Capacity<Case>::chunks; chunk += chunks_together)
+      compute_sparse<Case, W>(s, chunk, std::min(chunk + chunks_together, Capacity<Case>::chunks));
   }
 };
 
@@ -63,7 +88,7 @@ template <class Case>
 struct FloatersStage {
   static constexpr Contacting contacting = Contacting::none;
   static constexpr int steps_per_call = Case::gas_floater_interval;
-  static void call(State<Case>& s) { find_floaters(s.gas, s.particles, s.contacts); }
+  static void call(State<Case>& s) { find_floaters<Case, W>(s.gas, s.particles, s.near_list.outer); }
 };
 
 /// Sum of the force rows and integration. The rows are what the last two chunks left.
@@ -72,7 +97,7 @@ struct MotionStage {
   static constexpr Contacting contacting = Contacting::none;
   static void call(State<Case>& s) {
     for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
-      move<Case, W>(s.contacts, s.particles, chunk, s.contacts.rows[0], s.watch[chunk]);
+      move<Case, W>(s.contacts, s.particles, chunk, s.contacts.ring(0), s.watch[chunk]);
   }
 };
 
@@ -127,11 +152,20 @@ void one_stage(benchmark::State& state, Start start) {
 }
 
 template <class Case, template <class> class Stage, class Start>
-void add(const std::string& stage, Start start) {
+void add(const std::string& stage, Start start, const std::string& width = "") {
   const std::string name =
-      "stage/" + stage + "/" + std::to_string(Case::particle_count) + "/" + precision_name(Case::precision);
+      "stage/" + stage + "/" + std::to_string(Case::particle_count) + "/" + width + precision_name(Case::precision);
   benchmark::RegisterBenchmark(name.c_str(),
                                [start](benchmark::State& state) { one_stage<Case, Stage<Case>>(state, start); });
+}
+
+/// Sorting and listing against the width of the pipe, of particles in flight.
+template <int ratio>
+void add_listing() {
+  using Case = filled_with_small<ratio, repeats_for(ratio, 10000), Precision::double_precision>;
+  const auto start = [](auto& simulation) { start_agitated_of<ratio>(simulation); };
+  add<Case, NearListStage>("near_list", start, std::to_string(ratio) + "/");
+  add<Case, OrderStage>("order", start, std::to_string(ratio) + "/");
 }
 
 template <Precision P>
@@ -143,6 +177,8 @@ void add_all() {
   add<Bed, PairStage>("pair", bed_start);
   add<Bed, WallStage>("wall", bed_start);
   add<Bed, MotionStage>("motion", bed_start);
+  add<Bed, OrderStage>("order", bed_start);
+  add<agitated<1000, P>, SparseStage>("sparse", [](auto& simulation) { start_agitated(simulation); });
   add<plug<P>, GasStage>("gas", plug_start);
   add<plug<P>, FloatersStage>("floaters", plug_start);
 }
@@ -152,6 +188,9 @@ void add_all() {
 void register_stages() {
   add_all<Precision::double_precision>();
   add_all<Precision::mixed_precision>();
+  add_listing<5>();
+  add_listing<17>();
+  add_listing<30>();
 }
 
 }  // namespace fixdem::bench

@@ -9,8 +9,9 @@
 //             sliding took: what the law makes (above zero) or loses because k_t follows the overlap.
 // For conservative forms all three are of second order in the step; what other contacts change is of first order.
 //
-// Per lane of a batch, in double always, so that the sums do not depend on how many lanes the machine has. Lanes behind
-// the last contact of a range repeat that contact (listing.hpp): the ledger is the only one that must not see them.
+// Summed in double always: of dense ranges per lane of a batch, so that the sums do not depend on how many lanes the
+// machine has, of sparse ranges contact by contact, so that they do not depend on how contacts were packed. Lanes
+// behind the last contact repeat it (listing.hpp): the ledger is the only one that must not see them.
 #pragma once
 
 #include "contact_law.hpp"
@@ -63,6 +64,31 @@ struct BookedEnergy<Case, W, false> {
   FIXDEM_INLINE void put_back(Watch<Case>&) const {}
   template <class V>
   FIXDEM_INLINE void book(int, int, const ContactForce<V>&) {}
+};
+
+/// Entries of packed contacts, until they are summed.
+template <class Case, int Room, bool present = Case::energy_ledger>
+struct EnergyEntries {
+  alignas(64) Real<Case> damping_power[Room], sliding_work[Room], law_work[Room];
+  template <class V>
+  FIXDEM_INLINE void put(int k, const ContactForce<V>& f) {
+    store(damping_power + k, f.damping_power);
+    store(sliding_work + k, f.sliding_work);
+    store(law_work + k, f.law_work);
+  }
+  /// Those of the contacts from `begin` to `end`, which are of one range.
+  void sum(int begin, int end, Watch<Case>& watch) const {
+    double damping = watch.ledger.damping_power[0], sliding = watch.ledger.sliding_work[0];
+    double law = watch.ledger.law_work[0];
+    for (int k = begin; k < end; ++k) damping += damping_power[k], sliding += sliding_work[k], law += law_work[k];
+    watch.ledger.damping_power[0] = damping, watch.ledger.sliding_work[0] = sliding, watch.ledger.law_work[0] = law;
+  }
+};
+template <class Case, int Room>
+struct EnergyEntries<Case, Room, false> {
+  template <class V>
+  FIXDEM_INLINE void put(int, const ContactForce<V>&) {}
+  void sum(int, int, Watch<Case>&) const {}
 };
 
 }  // namespace fixdem

@@ -135,16 +135,39 @@ using Real = std::conditional_t<is_mixed<Case>, float, double>;
 template <class Case, int W>
 inline constexpr int contact_lanes = is_mixed<Case>&& W > 1 ? 2 * W : W;
 
-/// Particles in a chunk of the pipe: at least those whose centres can lie within 1.3 d along the axis, so that a
-/// contact joins a chunk with itself or the next one for as long as the order along the pipe lasts (near_list.hpp).
-/// That slab packed to 0.70 (random close packing is 0.64), and never more than the scene has. Smaller chunks waste
-/// lanes and start more loops, so 128 at least, or 64 in a scene of less than 512, which may have to fit a small board.
-/// Measured with 64 and 128 of 1000 particles, million particle-steps/s on Zen 5: settled bed 123 and 127 (AVX2 86 and
-/// 90), mixed 136 and 153, agitated 236 and 265; 192 is no better.
+/// How far beyond touching the outer list of pairs reaches (near_list.hpp), in diameters. With gas it answers who
+/// floats as well, for which 0.1 d must be left (floaters.hpp).
+template <class Case>
+inline constexpr double outer_margin = Case::has_gas ? 0.3 : 0.25;
+
+/// Cells in which particles are ordered (order.hpp): no side is shorter than d + outer margin, and there are no more of
+/// them than twice the particles. Across the pipe they cover the places that centres can have.
+template <class Case>
+struct Cells {
+  static constexpr double width = Case::pipe_diameter - Case::diameter;
+  static constexpr double whole(double n) { return n > 1 ? n : 1; }
+  static constexpr double side = [] {
+    double side = (1 + outer_margin<Case>)*Case::diameter;
+    while (whole(width / side) * whole(width / side) * whole(Case::pipe_length / side) >
+           2.0 * Case::particle_count + 64)
+      side *= 1.25;
+    return side;
+  }();
+  static constexpr int across = static_cast<int>(whole(width / side));
+  static constexpr int along = static_cast<int>(whole(Case::pipe_length / side));
+  static constexpr int count = across * across * along;
+  static constexpr double length = Case::pipe_length / along;  ///< of a slab of cells
+};
+
+/// Particles in a chunk of the pipe. Smaller chunks waste lanes and start more loops, so 128 at least, or 64 in a scene
+/// of less than 512, which may have to fit a small board; in a wide pipe so many that those within reach lie in the
+/// next two or three. Never more than the scene has. Measured with 64 and 128 of 1000 particles, million
+/// particle-steps/s on Zen 5: settled bed 123 and 127 (AVX2 86 and 90), mixed 136 and 153, agitated 236 and 265; 192 is
+/// no better.
 constexpr int particles_per_chunk(int particle_count, double pipe_diameter, double diameter) {
   const int whole_scene = (particle_count + 15) / 16 * 16, usual = particle_count < 512 ? 64 : 128;
-  const double slab = 1.3 * 0.70 * 1.5 * (pipe_diameter / diameter) * (pipe_diameter / diameter) + 20;
-  const int size = slab < usual ? usual : (slab < whole_scene ? static_cast<int>(slab) / 16 * 16 : whole_scene);
+  const double wide = 0.5 * (pipe_diameter / diameter) * (pipe_diameter / diameter);
+  const int size = wide < usual ? usual : (wide < whole_scene ? static_cast<int>(wide) / 16 * 16 : whole_scene);
   return size < whole_scene ? size : whole_scene;
 }
 
@@ -165,24 +188,48 @@ struct Capacity {
   /// list cut of 1.05 d is 12. The case can set it (`[capacity] neighbours`, default 14). Overflow: the run stops.
   static constexpr int neighbours = Case::neighbour_capacity;
 
-  /// Particles in a chunk of the pipe. Overflow: the run stops.
+  static constexpr double ratio = Case::pipe_diameter / Case::diameter;
   static constexpr int chunk_size = particles_per_chunk(Case::particle_count, Case::pipe_diameter, Case::diameter);
   static constexpr int chunks = (Case::particle_count + chunk_size - 1) / chunk_size;
+
+  /// Particles in the order between one and the last that it is compared with: one slab of cells and two rows. Spheres
+  /// whose centres lie in a slab fill 0.7405 of a hexagonal prism around the pipe, one diameter longer than the slab,
+  /// at most; 3 % are added for overlap. Only particles that overlap more, or that no wall holds, can exceed it: the
+  /// run stops.
+  static constexpr int in_reach = [] {
+    constexpr double slab = Cells<Case>::length / Case::diameter + 1, row = Cells<Case>::side / Case::diameter + 1;
+    constexpr double per_volume = 1.03 * 0.7405 / 0.5236;  // spheres of unit diameter
+    constexpr double most = per_volume * (0.8661 * ratio * ratio + 2 * row * ratio) * slab + 8;
+    return most < Case::particle_count ? static_cast<int>(most) : Case::particle_count;
+  }();
+  /// Chunks behind its own in which the partners of a chunk's particles lie.
+  static constexpr int span =
+      (chunk_size - 1 + in_reach) / chunk_size < chunks - 1 ? (chunk_size - 1 + in_reach) / chunk_size : chunks - 1;
 
   /// Pairs owned by the particles of one chunk, each pair counted once: half the neighbours of each, and one batch of
   /// slack. Observed: 2.3 owned near pairs per particle on average in a bed. Overflow: the run stops.
   static constexpr int chunk_pairs = (chunk_size * neighbours / 2 + 2 * batch - 1) / batch * batch;
+  /// Pairs across the periodic ends: a section of a close packing has 2.7 (D/d)^2 contacts.
+  static constexpr int wrap_pairs = chunk_pairs + static_cast<int>(6 * ratio * ratio) / batch * batch;
 
-  /// Pairs across the periodic ends: one slab on either side.
-  static constexpr int wrap_pairs = chunk_pairs;
+  /// Pairs of the outer list, of a chunk and across the ends. Twelve neighbours of a close packing lie within its
+  /// margin, of random packings hardly more. Overflow: the margin of the list is reduced (listing.hpp).
+  static constexpr int outer_per_particle = neighbours / 2 + 1 > 8 ? neighbours / 2 + 1 : 8;
+  static constexpr int outer_pairs = chunk_size * outer_per_particle + batch;
+  static constexpr int outer_wrap_pairs = 2 * wrap_pairs;
 
-  /// Steps that are worked off together (tiles.hpp) where the state of the scene exceeds the caches; each has a ring of
-  /// force rows. At most `order_interval` (near_list.hpp). A case can set it; results do not depend on it.
+  /// Chunks that a chunk's pairs reach into in a pipe that is a third full.
+  static constexpr int usual_span = (chunk_size - 1 + in_reach / 3) / chunk_size;
+
+  /// Steps that are computed together (tiles.hpp) where the state of the scene exceeds the caches, fewer where a step
+  /// concerns more particles at a time; each has a ring of force rows. At most `order_interval` (near_list.hpp). A case
+  /// can set it; results do not depend on it.
   static constexpr int tile_steps = [] {
+    constexpr int concerned = (usual_span + 1) * chunk_size, most = concerned <= 512 ? 16 : (concerned <= 1024 ? 8 : 4);
     if constexpr (requires { Case::tile_steps; })
       return Case::tile_steps;
     else
-      return chunks >= 128 ? 16 : 1;
+      return Case::particle_count >= 16384 && chunks >= chunks_for_tile(most) ? most : 1;
   }();
 };
 

@@ -2,14 +2,16 @@
 //
 // A run keeps these promises by itself and checks none of them in a step, so whoever copies bytes into a simulation
 // asks here first. What is looked at, array by array:
-//   particles  id is a permutation; places are finite, inside the pipe and almost in order; motion is finite
-//   near list  end_of_reach stays within the candidates that a listing gathers
-//   pairs      counts fit; owners and partners of all lanes in use are rows of their range; bits of lanes that exist
+//   particles  id is a permutation; places are finite and inside the pipe; motion is finite
+//   outer list the span and the chunks at the ends are possible ones; counts fit, and pairs are rows of their range
+//   next sort  its decision is near, and what it goes by are possible numbers
+//   pairs      the same, of all lanes in use; bits of lanes that exist
 //   walls      the same, and every particle once, in increasing order
-//   slots      every particle of a chunk once; rows lie in the ring; the row of zeros is zero
+//   slots      where they are used: every particle of a chunk once; rows lie in the ring; rows of zeros are zero
+//   kept       no history is being carried over
 //   the rest   flags are true or false, the step is a possible one, there is no fault
 // Values (histories, ledgers, speeds) are not judged: they may make a run stop with a fault, never read elsewhere. What
-// is written anew before it is used (scratch, kept histories, slices of the gas) is not looked at. A new array of
+// is written before it is used (scratch, cells, rows for later, slices of the gas) is not looked at. A new array of
 // indices gets a line above and its check below; tests/consistency_test.cpp changes bytes at random and runs on.
 #pragma once
 
@@ -33,29 +35,21 @@ bool are_flags(const bool (&flags)[Count]) {
   return true;
 }
 
-/// The row that an offset names, or -1 where it names none.
-template <class Case>
-int row_named(typename Rows<Case>::Offset offset) {
-  return offset % 8 == 0 ? Rows<Case>::number(offset) : -1;
-}
-template <class Case>
-bool names_row_below(typename Rows<Case>::Offset offset, int end) {
-  const int row = row_named<Case>(offset);
-  return row >= 0 && row < end;
+/// Whether an offset names a row below `end`.
+template <class Case, class Offset>
+bool names_row_below(Offset offset, int end) {
+  return offset % 8 == 0 && static_cast<long long>(offset / 8) < end;
 }
 
 template <class Case>
 bool are_particles_consistent(const Particles<Case>& p) {
   constexpr int count = Case::particle_count;
   if (!check_places(p).ok()) return false;
-  double farthest = p.position[0][2];
   for (int i = 0; i < count; ++i) {
     const double z = p.position[i][2];
     if (p.id[i] < 0 || p.id[i] >= count) return false;
     if (p.image[i] > 1 << 30 || p.image[i] < -(1 << 30)) return false;
-    if (!(z >= -Case::diameter && z <= Case::pipe_length + Case::diameter)) return false;
-    if (!(z >= farthest - Case::diameter)) return false;
-    farthest = max(z, farthest);
+    if (!(z > -Case::pipe_length && z < 2 * Case::pipe_length)) return false;
   }
   // A permutation: sums of the numbers and of their squares would not tell; marks need a bit for each particle.
   unsigned char seen[(count + 7) / 8 < 4096 ? (count + 7) / 8 : 4096];
@@ -73,15 +67,36 @@ bool are_particles_consistent(const Particles<Case>& p) {
   return true;
 }
 
+/// Rows that the owners of a range of pairs, and their partners, may be.
 template <class Case>
-bool is_near_list_consistent(const NearList<Case>& near) {
-  constexpr int count = Case::particle_count, copies = NearList<Case>::copies;
-  for (int i = 0; i < count; ++i) {
-    const int end = near.end_of_reach[i];
-    if (end <= i || end > count + copies) return false;
-    if (copies < count && end - 1 - i >= Capacity<Case>::chunk_size) return false;
+struct RowsOfRange {
+  int owners, partners;
+  RowsOfRange(const OuterList<Case>& outer, int range) {
+    constexpr int size = Capacity<Case>::chunk_size;
+    const bool wraps = range == Capacity<Case>::chunks;
+    const auto least = [](int a, int b) { return a < b ? a : b; };
+    owners = wraps ? least((outer.last_at_start + 1) * size, Case::particle_count) : particles_in<Case>(range);
+    const int left = Case::particle_count - PairRange<Case>(range).partner_base;
+    partners = wraps ? left : least((outer.span + 1) * size, left);
   }
-  return is_flag(near.in_haste);
+};
+
+template <class Case>
+bool is_outer_list_consistent(const OuterList<Case>& outer) {
+  using Cap = Capacity<Case>;
+  if (outer.span < (Cap::chunks > 1 ? 1 : 0) || outer.span > Cap::span) return false;
+  if (outer.last_at_start < -1 || outer.last_at_start >= Cap::chunks) return false;
+  if (outer.first_at_end < 0 || outer.first_at_end > Cap::chunks) return false;
+  for (int range = 0; range < PairBatches<Case>::ranges; ++range) {
+    const int pairs = outer.pairs[range], first = outer.first(range);
+    const RowsOfRange<Case> rows(outer, range);
+    if (pairs < 0 || pairs > outer.capacity(range)) return false;
+    for (int k = first; k < first + Cap::batch * batches_for<Case>(pairs); ++k)
+      if (!names_row_below<Case>(outer.owner[k], rows.owners) ||
+          !names_row_below<Case>(outer.partner[k], rows.partners))
+        return false;
+  }
+  return true;
 }
 
 /// Lanes in use of one range of pairs or of walls: `owners` and `partners` rows lie behind their bases.
@@ -100,15 +115,24 @@ bool are_lanes_consistent(const Batches& batches, int range, int most, int owner
   return true;
 }
 
+/// With these, particles are sorted, and in a periodic pipe brought back into it, before a slice of the gas is asked
+/// for that is not there.
 template <class Case>
-bool are_pairs_consistent(const PairBatches<Case>& pairs) {
-  using Cap = Capacity<Case>;
+bool is_next_sort_consistent(const NearList<Case>& near, long long step) {
+  if (near.sorted_at < 0 || near.sorted_at > step || near.next_decision > step + order_interval) return false;
+  if (!(near.outer.margin >= 0 && near.outer.margin <= outer_margin<Case> * Case::diameter)) return false;
+  for (double way : near.way)
+    if (!(way >= 0)) return false;
+  for (double velocity : near.frame)
+    if (!(velocity - velocity == 0)) return false;
+  return true;
+}
+
+template <class Case>
+bool are_pairs_consistent(const PairBatches<Case>& pairs, const OuterList<Case>& outer) {
   for (int range = 0; range < PairBatches<Case>::ranges; ++range) {
-    const bool wraps = range == Cap::chunks;
-    const int left = Case::particle_count - PairRange<Case>(range).partner_base;
-    const int owners = wraps ? NearList<Case>::copies : particles_in<Case>(range);
-    const int partners = left < 2 * Cap::chunk_size ? left : 2 * Cap::chunk_size;
-    if (!are_lanes_consistent<Case>(pairs, range, Cap::chunk_pairs, owners, partners)) return false;
+    const RowsOfRange<Case> rows(outer, range);
+    if (!are_lanes_consistent<Case>(pairs, range, pairs.capacity(range), rows.owners, rows.partners)) return false;
   }
   return true;
 }
@@ -133,48 +157,57 @@ template <class Case>
 bool are_slots_consistent(const Contacts<Case>& contacts, int chunk) {
   using R = Rows<Case>;
   const int particles = particles_in<Case>(chunk);
-  bool seen[Capacity<Case>::chunk_size] = {};
   const auto* entry = contacts.slots[chunk];
+  unsigned char seen[(Capacity<Case>::chunk_size + 7) / 8] = {};
   int found = 0;
   for (int k = 0; k <= Contacts<Case>::max_slots; ++k) {
     const int bucket = contacts.bucket[chunk][k];
     if (bucket < 0 || bucket > particles - found) return false;
     found += bucket;
-    for (int q = 0; q < bucket; ++q) {
-      if (!names_row_below<Case>(*entry, particles) || seen[R::number(*entry)]) return false;
-      seen[R::number(*entry++)] = true;
+    for (int q = 0; q < bucket && contacts.has_rows[chunk]; ++q) {
+      if (!names_row_below<Case>(*entry, particles)) return false;
+      const int i = static_cast<int>(*entry++ / 8);
+      if (seen[i / 8] >> i % 8 & 1) return false;
+      seen[i / 8] = static_cast<unsigned char>(seen[i / 8] | 1 << i % 8);
       for (int row = 0; row < 2 * k; ++row)
-        if (!names_row_below<Case>(*entry++, R::zero + 1)) return false;
+        if (!names_row_below<Case>(*entry++, R::ring(contacts.span + 1))) return false;
     }
   }
-  return found == particles;
+  return found == particles || !contacts.has_rows[chunk];
 }
 
 template <class Case>
-bool are_rows_of_zeros_zero(const Contacts<Case>& contacts) {
-  constexpr int width = Contacts<Case>::row_width;
-  for (const auto& ring : contacts.rows)
-    for (int c = 0; c < width; ++c)
-      if (ring[Rows<Case>::zero * width + c] != 0) return false;
-  return true;
+bool are_zeros_zero(const Contacts<Case>& contacts) {
+  bool all = true;
+  contacts.for_each_row_of_zeros([&](const Real<Case>* row) {
+    for (int c = 0; c < Contacts<Case>::row_width; ++c) all = all && row[c] == 0;
+  });
+  for (const auto& sum : contacts.sum)
+    for (const Real<Case>& component : sum) all = all && component == 0;
+  return all;
 }
 
 }  // namespace detail
 
 template <class Case>
 bool is_consistent(const State<Case>& s) {
-  using D = Derived<Case>;
-  if (!s.status.ok() || s.step < 0) return false;
+  const Contacts<Case>& contacts = s.contacts;
+  if (!s.status.ok() || s.step < 0 || !s.kept.is_empty()) return false;
   if (!detail::are_particles_consistent(s.particles)) return false;
-  if (!detail::is_near_list_consistent(s.near_list)) return false;
-  if (!detail::are_pairs_consistent<Case>(s.contacts.pairs)) return false;
+  const OuterList<Case>& outer = s.near_list.outer;
+  if (!detail::is_outer_list_consistent(outer) || contacts.span != outer.span) return false;
+  if (!detail::is_next_sort_consistent(s.near_list, s.step)) return false;
+  if (!detail::are_pairs_consistent<Case>(contacts.pairs, outer)) return false;
   if constexpr (Case::has_wall)
-    if (!detail::are_walls_consistent<Case>(s.contacts.pipe)) return false;
-  if constexpr (D::has_ends)
-    if (!detail::are_walls_consistent<Case>(s.contacts.ends)) return false;
+    if (!detail::are_walls_consistent<Case>(contacts.pipe)) return false;
+  if constexpr (Derived<Case>::has_ends)
+    if (!detail::are_walls_consistent<Case>(contacts.ends)) return false;
+  if (!detail::are_flags(contacts.slots_are_stale) || !detail::are_flags(contacts.has_rows) ||
+      !detail::are_flags(contacts.has_sums))
+    return false;
   for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
-    if (!detail::are_slots_consistent(s.contacts, chunk)) return false;
-  if (!detail::are_flags(s.contacts.slots_are_stale) || !detail::are_rows_of_zeros_zero(s.contacts)) return false;
+    if (!detail::are_slots_consistent(contacts, chunk)) return false;
+  if (!detail::are_zeros_zero(contacts)) return false;
   if constexpr (Case::has_gas)
     if (!detail::are_flags(s.gas.floats)) return false;
   return true;

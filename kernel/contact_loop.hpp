@@ -24,10 +24,8 @@ namespace detail {
 /// The stages of `count` contacts, three of them interleaved. `place(k)`: of the W contacts from number k on.
 template <class Case, int W, SlidingLanes mode, class Side, class Offset, class PlaceOf>
 FIXDEM_INLINE void interleaved_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
-                                        PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
-                                        BookedEnergy<Case, W>& energy) {
+                                        PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap) {
   using V = Lanes<W, Real<Case>>;
-  constexpr int lanes = Capacity<Case>::batch;
   struct Stored {
     StoredSeparation<Case, W> separation;
     ContactGeometry<Case, W> geometry;
@@ -53,21 +51,18 @@ FIXDEM_INLINE void interleaved_contacts(const Side& side, const Offset* owner, c
     separate(k + 2 * W, at(2));
     const ContactGeometry<Case, W>& g = at(0).geometry;
     const auto place = place_of(k);
-    const int lane = k % lanes;
-    [[maybe_unused]] const bool is_done =
-        contact_rows<Case, W, mode>(side, g, owner + k, partner + k, side.template motion<W>(owner + k, partner + k),
-                                    place, lane, count - k, energy);
+    [[maybe_unused]] const bool is_done = contact_rows<Case, W, mode>(
+        side, g, owner + k, partner + k, side.template motion<W>(owner + k, partner + k), place);
     if constexpr (mode == SlidingLanes::left)
-      if (!is_done) sliding_contact_rows<Case, W>(side, g, owner + k, partner + k, place, lane, count - k, energy);
+      if (!is_done) sliding_contact_rows<Case, W>(side, g, owner + k, partner + k, place);
   }
 }
 
 /// The same in groups: geometry of all, then the law of all.
 template <class Case, int W, SlidingLanes mode, class Side, class Offset, class PlaceOf>
 FIXDEM_INLINE void grouped_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
-                                    PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
-                                    BookedEnergy<Case, W>& energy) {
-  constexpr int lanes = Capacity<Case>::batch, group = 12 * W;
+                                    PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap) {
+  constexpr int group = 12 * W;
   ContactGeometry<Case, W> geometry[group / W];
   for (int begin = 0; begin < count; begin += group) {
     const int end = begin + group < count ? begin + group : count;
@@ -83,11 +78,10 @@ FIXDEM_INLINE void grouped_contacts(const Side& side, const Offset* owner, const
       const int ahead = k + W < end ? k + W : k;
       next = side.template motion<W>(owner + ahead, partner + ahead);
       const auto place = place_of(k);
-      const int lane = k % lanes;
       [[maybe_unused]] const bool is_done =
-          contact_rows<Case, W, mode>(side, *g, owner + k, partner + k, motion, place, lane, count - k, energy);
+          contact_rows<Case, W, mode>(side, *g, owner + k, partner + k, motion, place);
       if constexpr (mode == SlidingLanes::left)
-        if (!is_done) sliding_contact_rows<Case, W>(side, *g, owner + k, partner + k, place, lane, count - k, energy);
+        if (!is_done) sliding_contact_rows<Case, W>(side, *g, owner + k, partner + k, place);
     }
   }
 }
@@ -95,20 +89,19 @@ FIXDEM_INLINE void grouped_contacts(const Side& side, const Offset* owner, const
 /// The way that suits the registers.
 template <class Case, int W, SlidingLanes mode, class Side, class Offset, class PlaceOf>
 FIXDEM_INLINE void all_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
-                                PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap,
-                                BookedEnergy<Case, W>& energy) {
+                                PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap) {
   if (count == 0) return;
   if constexpr (W * sizeof(Real<Case>) == 64)
-    grouped_contacts<Case, W, mode>(side, owner, partner, count, place_of, overlap, energy);
+    grouped_contacts<Case, W, mode>(side, owner, partner, count, place_of, overlap);
   else
-    interleaved_contacts<Case, W, mode>(side, owner, partner, count, place_of, overlap, energy);
+    interleaved_contacts<Case, W, mode>(side, owner, partner, count, place_of, overlap);
 }
 
-/// History block of a batch, or nothing where the case keeps none.
+/// Histories of a dense range, or nothing where the case keeps none.
 template <class Case, int Size, class Batches>
-FIXDEM_INLINE auto history_of(Batches& batches, int batch) {
+FIXDEM_INLINE auto dense_histories(Batches& batches, int first) {
   if constexpr (Size > 0) {
-    return batches.history.value[batch];
+    return batches.history.lanes(first, first);
   } else {
     return static_cast<Real<Case>(*)[Capacity<Case>::batch]>(nullptr);
   }
@@ -137,15 +130,15 @@ void dense_contacts(const Side side, Batches& batches, int first, int count, boo
   constexpr int size = Side::Law::history_size;
   Partials<W, lanes, Real<Case>> overlap(watch.overlap);
   BookedEnergy<Case, W> energy(watch);
-  auto* history = detail::history_of<Case, size>(batches, first);
+  auto* history = detail::dense_histories<Case, size>(batches, first);
   const auto place = [&](int k) FIXDEM_INLINE_LAMBDA {
-    return detail::InPlace<Case>{history + k / lanes * size, k % lanes, rows + k * width};
+    return detail::InPlace<Case, W>{history + k / lanes * size, k % lanes, count - k, rows + k * width, &energy};
   };
   const auto *owner = batches.owner[first], *partner = detail::partners_of(batches, first);
   if (are_still || !Derived<Case>::has_friction)
-    detail::all_contacts<Case, W, SlidingLanes::left>(side, owner, partner, count, place, overlap, energy);
+    detail::all_contacts<Case, W, SlidingLanes::left>(side, owner, partner, count, place, overlap);
   else if constexpr (Derived<Case>::has_friction)
-    detail::all_contacts<Case, W, SlidingLanes::computed>(side, owner, partner, count, place, overlap, energy);
+    detail::all_contacts<Case, W, SlidingLanes::computed>(side, owner, partner, count, place, overlap);
   overlap.put_back(watch.overlap);
   energy.put_back(watch);
 }

@@ -97,61 +97,69 @@ FIXDEM_INLINE void store_geometry(const Side& side, const Separation<Lanes<W, Re
   greatest = max(overlap, greatest);
 }
 
-/// History and rows of W contacts that lie side by side in a batch.
-template <class Case>
+/// The numbers that W contacts keep.
+template <class V, int Count>
+struct KeptNumbers {
+  V value[Count > 0 ? Count : 1];
+};
+
+/// History, rows and ledger of W contacts that lie side by side in a batch, the first `valid` of them not repeated.
+template <class Case, int W>
 struct InPlace {
   Real<Case> (*history)[Capacity<Case>::batch];
-  int lane;
-  Real<Case>* rows;
-  template <class V>
-  FIXDEM_INLINE V kept(int c) const {
-    return load<V>(history[c] + lane);
+  int lane, valid;
+  Real<Case>* row;
+  BookedEnergy<Case, W>* energy;
+  template <class V, int Count>
+  FIXDEM_INLINE KeptNumbers<V, Count> kept() const {
+    KeptNumbers<V, Count> numbers;
+    for (int c = 0; c < Count; ++c) numbers.value[c] = load<V>(history[c] + lane);
+    return numbers;
+  }
+  template <class V, int Count>
+  FIXDEM_INLINE void keep(const KeptNumbers<V, Count>& numbers) const {
+    for (int c = 0; c < Count; ++c) store(history[c] + lane, numbers.value[c]);
   }
   template <class V>
-  FIXDEM_INLINE void keep_in_mind(int c, V value) const {
-    store(history[c] + lane, value);
+  FIXDEM_INLINE void book(const ContactForce<V>& f) const {
+    energy->book(lane, valid, f);
   }
-  FIXDEM_INLINE Real<Case>* first_row() const { return rows; }
-  FIXDEM_INLINE void rows_are_written() const {}
 };
 
 /// History of W contacts, and its return; places as ContactLaw says.
 template <class Law, class Case, class V, class Place>
 FIXDEM_INLINE History<V> remembered(const Place& place) {
-  History<V> h{};
+  const KeptNumbers<V, Law::history_size> kept = place.template kept<V, Law::history_size>();
   const auto vector = [&](int c) FIXDEM_INLINE_LAMBDA {
-    return Vec3<V>{place.template kept<V>(c), place.template kept<V>(c + 1), place.template kept<V>(c + 2)};
+    return Vec3<V>{kept.value[c], kept.value[c + 1], kept.value[c + 2]};
   };
+  History<V> h{};
   if constexpr (Law::history_vectors > 0) h.spring = vector(0);
   if constexpr (Law::history_vectors > 1) h.last_velocity = vector(3);
-  if constexpr (takes_impulses<Case>) h.state_function = place.template kept<V>(Law::state_function_place);
-  if constexpr (Law::limit_place > Law::stiffness_place)
-    h.last_tangential_stiffness = place.template kept<V>(Law::stiffness_place);
-  if constexpr (Law::history_size > Law::limit_place) h.last_limit = place.template kept<V>(Law::limit_place);
+  if constexpr (takes_impulses<Case>) h.state_function = kept.value[Law::state_function_place];
+  if constexpr (Law::limit_place > Law::stiffness_place) h.last_tangential_stiffness = kept.value[Law::stiffness_place];
+  if constexpr (Law::history_size > Law::limit_place) h.last_limit = kept.value[Law::limit_place];
   return h;
 }
 template <class Law, class Case, class Place, class V>
 FIXDEM_INLINE void remember(const Place& place, const History<V>& h) {
+  KeptNumbers<V, Law::history_size> kept;
   const auto vector = [&](int c, const Vec3<V>& a) FIXDEM_INLINE_LAMBDA {
-    place.keep_in_mind(c, a.x);
-    place.keep_in_mind(c + 1, a.y);
-    place.keep_in_mind(c + 2, a.z);
+    kept.value[c] = a.x, kept.value[c + 1] = a.y, kept.value[c + 2] = a.z;
   };
   if constexpr (Law::history_vectors > 0) vector(0, h.spring);
   if constexpr (Law::history_vectors > 1) vector(3, h.last_velocity);
-  if constexpr (takes_impulses<Case>) place.keep_in_mind(Law::state_function_place, h.state_function);
-  if constexpr (Law::limit_place > Law::stiffness_place)
-    place.keep_in_mind(Law::stiffness_place, h.last_tangential_stiffness);
-  if constexpr (Law::history_size > Law::limit_place) place.keep_in_mind(Law::limit_place, h.last_limit);
+  if constexpr (takes_impulses<Case>) kept.value[Law::state_function_place] = h.state_function;
+  if constexpr (Law::limit_place > Law::stiffness_place) kept.value[Law::stiffness_place] = h.last_tangential_stiffness;
+  if constexpr (Law::history_size > Law::limit_place) kept.value[Law::limit_place] = h.last_limit;
+  place.template keep<V, Law::history_size>(kept);
 }
 
 /// The law of W contacts, their history and force rows. `motion`: theirs. False when some lane slides and that is
-/// left to be done; then nothing has been written. `lane`: in the batch; `valid`: contacts that are none of its
-/// repeats.
+/// left to be done; then nothing has been written.
 template <class Case, int W, SlidingLanes mode, class Side, class Offset, class Place>
 FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>& g, const Offset* owner,
-                                const Offset* partner, const Motion<Lanes<W, Real<Case>>>& motion, const Place& place,
-                                int lane, int valid, BookedEnergy<Case, W>& energy) {
+                                const Offset* partner, const Motion<Lanes<W, Real<Case>>>& motion, const Place& place) {
   using V = Lanes<W, Real<Case>>;
   using Law = typename Side::Law;
   constexpr bool has_friction = Derived<Case>::has_friction;
@@ -184,22 +192,20 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>
   remember<Law, Case>(place, history);
   using RowStore = RowLanes<W, Real<Case>>;
   if constexpr (has_friction) {
-    RowStore::store_rows(place.first_row(), f.force, cross(n, f.force));  // eq. (14); scaled by r in motion.hpp
+    const Vec3<V> torque = cross(n, f.force);  // eq. (14); scaled by r in motion.hpp
+    RowStore::store_rows(place.row, padded(f.force), padded(torque));
   } else {
-    RowStore::store_rows(place.first_row(), f.force);
+    RowStore::store_rows(place.row, padded(f.force));
   }
-  place.rows_are_written();
-  energy.book(lane, valid, f);
+  place.book(f);
   return true;
 }
 
 /// The same with all lanes computed, out of the way of the short loop.
 template <class Case, int W, class Side, class Offset>
 [[gnu::noinline]] void sliding_contact_rows(const Side& side, const ContactGeometry<Case, W>& g, const Offset* owner,
-                                            const Offset* partner, const InPlace<Case>& place, int lane, int valid,
-                                            BookedEnergy<Case, W>& energy) {
-  contact_rows<Case, W, SlidingLanes::at_rest>(side, g, owner, partner, side.template motion<W>(owner, partner), place,
-                                               lane, valid, energy);
+                                            const Offset* partner, const InPlace<Case, W>& place) {
+  contact_rows<Case, W, SlidingLanes::at_rest>(side, g, owner, partner, side.template motion<W>(owner, partner), place);
 }
 
 }  // namespace detail

@@ -1,14 +1,15 @@
 // Where contacts live: batches of near pairs and near walls, the force rows they write, and who sums which rows.
 //
 // The pipe is cut into chunks of consecutive particles. A chunk owns the pairs whose lower-numbered particle is its
-// own; the partner is in the same chunk or the next. Pairs stand in batches of 8 (16 in mixed precision) with 16-bit
-// row numbers relative to the chunk, and their history beside them, in a region of its own for each chunk, so that one
-// chunk can be listed anew while the others stay. Each contact writes one force row; a chunk needs the rows of its own
-// contacts and of its predecessor's, so a ring of two sets of rows is enough and stays in the cache; steps that are
-// worked off together (tiles.hpp) have a ring each. Pairs across the periodic ends have rows of their own. A particle's
-// slot list names the rows it adds (its own contacts) and subtracts (those of lower-numbered partners), padded with a
-// row of zeros to equal lengths; particles of one chunk are bucketed by that length. There is no scatter, and the order
-// of every sum is fixed.
+// own; the partner is in the same chunk or one of the next, the span. Pairs stand in batches of 8 (16 in mixed
+// precision) with 16-bit row numbers relative to the chunk, and their history beside them, in a region of its own for
+// each chunk, so that one chunk can be listed again while the others stay. Each contact of a dense range writes one
+// force row (those of sparse ones are added to a sum for each particle: sparse_contacts.hpp); a chunk needs the rows
+// of its own contacts and of the span before it, so a ring of as many sets of rows and one is enough and stays in the
+// cache; steps that are computed together (tiles.hpp) have a ring each. Pairs across the periodic ends have rows of
+// their own. A particle's slot list names the rows it adds (its own contacts) and subtracts (those of lower-numbered
+// partners), padded with a row of zeros to equal lengths; particles of one chunk are bucketed by that length. There is
+// no scatter, and the order of every sum is fixed.
 #pragma once
 
 #include "contact_law.hpp"
@@ -17,40 +18,72 @@
 
 namespace fixdem {
 
+/// The numbers that one contact keeps, wherever they lie.
+template <class T>
+struct HistoryNumbers {
+  T* first;
+  int stride;
+  HistoryNumbers(T* first_number, int numbers_between) : first(first_number), stride(numbers_between) {}
+  template <class U>
+  HistoryNumbers(const HistoryNumbers<U>& from) : first(from.first), stride(from.stride) {}
+  T& operator[](int c) const { return first[c * stride]; }
+};
+
 namespace detail {
+/// Histories of a kind of contact. Where all contacts of a range are computed (dense), number c of the lanes of a batch
+/// lies side by side; where only those that touch are (sparse), the numbers of one contact do, in rows of a multiple
+/// of 4.
 template <class Case, int Batches, int Numbers>
 struct HistoryBatches {
-  alignas(64) Real<Case> value[Batches][Numbers][Capacity<Case>::batch];
+  static constexpr int batch = Capacity<Case>::batch, row_width = (Numbers + 3) / 4 * 4;
+  alignas(64) Real<Case> value[Batches * batch * row_width];
+
+  /// Batch `b` of a dense range whose first one is `first`.
+  Real<Case> (*lanes(int first, int b))[batch] {
+    return reinterpret_cast<Real<Case>(*)[batch]>(value + (first * row_width + (b - first) * Numbers) * batch);
+  }
+  /// Row of contact `number`, counted from the first one of all ranges.
+  Real<Case>* row(int number) { return value + std::size_t(number) * row_width; }
+
+  /// Contact k of the range that begins at batch `first`.
+  HistoryNumbers<Real<Case>> of(bool is_sparse, int first, int k) {
+    if (is_sparse) return {row(first * batch + k), 1};
+    return {lanes(first, first + k / batch)[0] + k % batch, batch};
+  }
+  HistoryNumbers<const Real<Case>> of(bool is_sparse, int first, int k) const {
+    return const_cast<HistoryBatches*>(this)->of(is_sparse, first, k);
+  }
 };
 template <class Case, int Batches>
-struct HistoryBatches<Case, Batches, 0> {};
-
-template <class Case, bool present, int Steps, int Size>
-struct EdgeRows {
-  alignas(64) Real<Case> rows[Steps][Size];
+struct HistoryBatches<Case, Batches, 0> {
+  HistoryNumbers<Real<Case>> of(bool, int, int) const { return {nullptr, 0}; }
 };
-template <class Case, int Steps, int Size>
-struct EdgeRows<Case, false, Steps, Size> {};
+
 }  // namespace detail
 
-/// Numbering of the force rows: two chunks in turn, the pairs across the ends, and one row of zeros.
+/// Numbering of the force rows of a step: the pairs across the ends, a row of zeros, and as many chunks in turn as the
+/// span makes necessary.
 template <class Case>
 struct Rows {
   using Cap = Capacity<Case>;
   using D = Derived<Case>;
   static constexpr int of_chunk =
       Cap::chunk_pairs + (Case::has_wall ? Cap::chunk_size : 0) + (D::has_ends ? Cap::chunk_size : 0);
-  static constexpr int wrap_first = 2 * of_chunk;
-  static constexpr int zero = wrap_first + (D::is_periodic ? Cap::wrap_pairs : 0);
-  /// First force row of a chunk's contacts.
-  static constexpr int first(int chunk) { return (chunk & 1) * of_chunk; }
+  static constexpr int wrap_first = 0;
+  static constexpr int zero = D::is_periodic ? Cap::wrap_pairs : 0;
+  static constexpr int chunks_first = zero + Cap::batch;
+  /// Rows of a ring in which the chunks have so many places; those kept for the second phase of a tile come after it.
+  static constexpr int ring(int places) { return chunks_first + places * of_chunk; }
 
-  using Offset = RowOffset<zero + 1>;  // force rows outnumber the particles of two chunks
+  using Offset = RowOffset<(Cap::span + 2) * Cap::chunk_size>;  ///< of a particle, from the first of a chunk on
+  using SlotOffset = RowOffset<ring(Cap::span + 1)>;            ///< of a force row, or a particle
   static constexpr Offset offset(int number) { return static_cast<Offset>(8 * number); }
+  static constexpr SlotOffset slot_offset(int number) { return static_cast<SlotOffset>(8 * number); }
   static constexpr int number(Offset offset) { return static_cast<int>(offset / 8); }
 
-  /// First particle that partners across the ends are counted from: they lie in the last two chunks.
-  static constexpr int wrap_base = Cap::chunks > 2 ? (Cap::chunks - 2) * Cap::chunk_size : 0;
+  /// First particle that partners across the ends are counted from: they lie in one slab of cells, the last.
+  static constexpr int wrap_chunk = Cap::chunks > Cap::span + 2 ? Cap::chunks - Cap::span - 2 : 0;
+  static constexpr int wrap_base = wrap_chunk * Cap::chunk_size;
 };
 
 /// Near pairs. Range c holds those of chunk c; range `chunks` those across the periodic ends, whose owners count from
@@ -61,16 +94,24 @@ struct PairBatches {
   static constexpr int history_size = ContactLaw<Case, false>::history_size;
   static constexpr int ranges = Cap::chunks + (Derived<Case>::is_periodic ? 1 : 0);
   static constexpr int batches_per_range = Cap::chunk_pairs / Cap::batch;
-  static constexpr int batches = ranges * batches_per_range;
+  static constexpr int batches =
+      Cap::chunks * batches_per_range + (Derived<Case>::is_periodic ? Cap::wrap_pairs / Cap::batch : 0);
+  static constexpr int capacity(int range) { return range == Cap::chunks ? Cap::wrap_pairs : Cap::chunk_pairs; }
   /// First batch of a range.
   static constexpr int first(int range) { return range * batches_per_range; }
 
   alignas(64) typename Rows<Case>::Offset owner[batches][Cap::batch];
   alignas(64) typename Rows<Case>::Offset partner[batches][Cap::batch];
   [[no_unique_address]] detail::HistoryBatches<Case, batches, history_size> history;
-  std::uint16_t touching[batches];  ///< sparse ranges: a bit for each lane that touched in the last step
+  std::uint16_t touching[batches];  ///< sparse ranges: a bit for each lane that touched, or was given a history
   int count[ranges];                ///< pairs in each range; the last batch is filled up with copies of its last pair
   bool sparse[ranges];              ///< so few of them touch that those are looked up first (sparse_contacts.hpp)
+
+  auto history_of(int range, int k) { return history.of(sparse[range], first(range), k); }
+  auto history_of(int range, int k) const { return history.of(sparse[range], first(range), k); }
+  void note_history(int range, int k) {
+    touching[first(range) + k / Cap::batch] |= static_cast<std::uint16_t>(1u << k % Cap::batch);
+  }
 };
 
 /// Where the two sides of a range of pairs start, and the shift of the partner along z.
@@ -102,6 +143,12 @@ struct WallBatches {
   std::uint16_t touching[batches];
   int count[Cap::chunks];
   bool sparse[Cap::chunks];
+
+  auto history_of(int chunk, int k) { return history.of(sparse[chunk], first(chunk), k); }
+  auto history_of(int chunk, int k) const { return history.of(sparse[chunk], first(chunk), k); }
+  void note_history(int chunk, int k) {
+    touching[first(chunk) + k / Cap::batch] |= static_cast<std::uint16_t>(1u << k % Cap::batch);
+  }
 };
 template <class Case>
 struct WallBatches<Case, false> {};
@@ -112,30 +159,106 @@ constexpr int batches_for(int contacts) {
   return (contacts + Capacity<Case>::batch - 1) / Capacity<Case>::batch;
 }
 
+/// What sorting (order.hpp) and the outer list (outer_list.hpp) need for their duration.
+template <class Case>
+struct SortScratch {
+  static constexpr int count = Case::particle_count;
+  int source[count];                                            ///< present number of the particle that goes there
+  alignas(64) double x[count + 8], y[count + 8], z[count + 8];  ///< places in the new order
+};
+
+/// By what the row of a contact counts for its partner: the force is opposite, the torque equal.
+template <class T>
+alignas(64) inline constexpr T incoming_sign[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
+
+/// Force rows of sparse contacts that are added later to the sums of their particles, from the last row of a region
+/// backwards: dense contacts have the first ones.
+template <class Case>
+struct RowsForLater {
+  static constexpr int width = Particles<Case>::motion_width;
+  static constexpr std::uint32_t nobody = ~std::uint32_t{};  ///< in place of a partner: a wall
+  Real<Case>* last_row;
+  std::uint32_t *last_owner, *last_partner;  ///< 8 times the particle's number
+  int* count;
+
+  void put(const Real<Case> (&values)[width], std::uint32_t owner, std::uint32_t partner) const {
+    for (int c = 0; c < width; ++c) last_row[c - *count * width] = values[c];
+    last_owner[-*count] = owner, last_partner[-*count] = partner;
+    ++*count;
+  }
+};
+
 template <class Case>
 struct Contacts {
   using D = Derived<Case>;
   using Cap = Capacity<Case>;
   static constexpr int row_width = Particles<Case>::motion_width;
-  static constexpr int rows_per_ring = (Rows<Case>::zero + 2) / 2 * 2 * row_width;  ///< whole lines of the cache
-
   PairBatches<Case> pairs;
   [[no_unique_address]] WallBatches<Case, Case::has_wall> pipe;
   [[no_unique_address]] WallBatches<Case, D::has_ends> ends;
 
-  /// A ring of force rows for each step of a tile, and the rows that a tile keeps for its second phase.
-  alignas(64) Real<Case> rows[Cap::tile_steps][rows_per_ring];
-  [[no_unique_address]] detail::EdgeRows<Case, (Cap::tile_steps > 1), Cap::tile_steps, Rows<Case>::of_chunk * row_width>
-      edge;
+  /// A ring of force rows for each step of a tile, with the rows that it keeps for its second phase. They are dealt out
+  /// by the span as it is at the last sort; the deepest tile has room for all at the span of a pipe that is a third
+  /// full.
+  static constexpr int rows_for(int span, int steps) {
+    return steps == 1 ? Rows<Case>::ring(span + 1) : steps * Rows<Case>::ring(2 * span + 1);
+  }
+  static constexpr int row_count = rows_for(Cap::span, 1) > rows_for(Cap::usual_span, Cap::tile_steps)
+                                       ? rows_for(Cap::span, 1)
+                                       : rows_for(Cap::usual_span, Cap::tile_steps);
+  alignas(64) Real<Case> rows[row_count * row_width];
+  std::uint32_t row_owner[row_count], row_partner[row_count];  ///< of rows that are added later
+  int rows_for_later[Cap::tile_steps][Cap::span + 1];          ///< the last ones of the pairs across the ends
+  int span;  ///< chunks behind its own in which the partners of a chunk lie
+
+  Real<Case>* ring(int step) { return rows + step * Rows<Case>::ring(2 * span + 1) * row_width; }
+  /// Visits the row of zeros of each ring that there is room for.
+  template <class F>
+  void for_each_row_of_zeros(F&& f) const {
+    for (int at = Rows<Case>::zero, step = 0; step < Cap::tile_steps && at < row_count; ++step) {
+      f(rows + at * row_width);
+      at += Rows<Case>::ring(2 * span + 1);
+    }
+  }
+  /// Another span moves the rings, and with them the rows of zeros onto rows that have been in use.
+  void set_span(int chunks) {
+    span = chunks;
+    for_each_row_of_zeros([&](const Real<Case>* row) {
+      for (int c = 0; c < row_width; ++c) rows[row - rows + c] = 0;
+    });
+  }
+  /// First force row of a chunk's contacts, and of what a tile keeps.
+  int first_row(int chunk) const { return Rows<Case>::ring(chunk % (span + 1)); }
+  int first_kept_row(int chunk) const { return Rows<Case>::ring(span + 1 + chunk % span); }
+  /// Where sparse contacts put what is added later: those across the ends, and those of a chunk that a tile keeps.
+  RowsForLater<Case> across_for_later(int step) {
+    return for_later(step, Rows<Case>::wrap_first + Cap::wrap_pairs - 1, Cap::span);
+  }
+  RowsForLater<Case> chunk_for_later(int step, int chunk) {
+    return for_later(step, first_kept_row(chunk) + Rows<Case>::of_chunk - 1, chunk % span);
+  }
+
+  /// Velocity change of each particle by the sparse contacts so far; zero again once it has moved.
+  alignas(64) Real<Case> sum[Case::particle_count][row_width];
 
   /// Rows a particle can own: its near pairs, the pipe wall and an end wall.
   static constexpr int max_slots = Cap::neighbours + (Case::has_wall ? 1 : 0) + (D::has_ends ? 1 : 0);
   /// Slot entries: particle, k own rows, k incoming rows; read four numbers at a time, beyond the last too. Bucket k of
   /// a chunk has `bucket[chunk][k]` particles.
-  typename Rows<Case>::Offset slots[Cap::chunks][Cap::chunk_size * (2 * max_slots + 1) + 3];
+  union {
+    typename Rows<Case>::SlotOffset slots[Cap::chunks][Cap::chunk_size * (2 * max_slots + 1) + 3];
+    SortScratch<Case> sort;  ///< in the same place: after a sort all slot lists are made again
+  };
   int bucket[Cap::chunks][max_slots + 1];
-  bool slots_are_stale[Cap::chunks];     ///< a range that the chunk sums has been listed anew
-  int near_count[Case::particle_count];  ///< near pairs of each particle
+  bool slots_are_stale[Cap::chunks];  ///< a range that the chunk sums has been listed anew
+  bool has_rows[Cap::chunks];         ///< some such range is dense
+  bool has_sums[Cap::chunks];         ///< some such range is sparse
+
+ private:
+  RowsForLater<Case> for_later(int step, int last, int place) {
+    const int at = step * Rows<Case>::ring(2 * span + 1) + last;
+    return {rows + at * row_width, row_owner + at, row_partner + at, &rows_for_later[step][place]};
+  }
 };
 
 /// Particles of a chunk; all but the last are full.

@@ -55,7 +55,7 @@ class Simulation {
       if constexpr (Case::has_gas)
         for (int c = 0; c < 4; ++c) s_.particles.gas_kick.row[i][c] = 0;
     }
-    s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.kept, s_.scratch, count);
+    s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.kept, s_.scratch, 0);
     if constexpr (takes_impulses<Case>) mark_contacts_as_found();
     if (s_.status.ok()) s_.status = deepest();
     if constexpr (is_coupled<Case>) s_.particles.coupling.reset();
@@ -70,15 +70,15 @@ class Simulation {
     if constexpr (D::has_friction) {
       s_.histories_given_at = s_.step;
       constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::mass;
-      const auto set = [&](auto& batches, int batch, int lane, double sign) {
-        for (int c = 0; c < 3; ++c)
-          batches.history.value[batch][c][lane] = static_cast<Real<Case>>(sign * unit * history[c]);
+      const auto set = [&](auto& batches, int range, int k, double sign) {
+        for (int c = 0; c < 3; ++c) batches.history_of(range, k)[c] = static_cast<Real<Case>>(sign * unit * history[c]);
+        batches.note_history(range, k);
       };
       if (partner >= 0) {
         const int i = row_of(owner), j = row_of(partner);
         const int low = i < j ? i : j, high = i < j ? j : i;
-        const auto set_pair = [&](int batch, int lane, int a, int b) {
-          if (a == low && b == high) set(s_.contacts.pairs, batch, lane, i < j ? 1 : -1);
+        const auto set_pair = [&](int range, int k, int a, int b) {
+          if (a == low && b == high) set(s_.contacts.pairs, range, k, i < j ? 1 : -1);
         };
         for_each_near_pair_in(s_.contacts, low / Capacity<Case>::chunk_size, set_pair);
         if constexpr (D::is_periodic) for_each_near_pair_in(s_.contacts, Capacity<Case>::chunks, set_pair);
@@ -86,8 +86,8 @@ class Simulation {
       }
       const int row = row_of(owner);
       const auto set_wall = [&](auto& walls) {
-        for_each_near_wall_in<Case>(walls, row / Capacity<Case>::chunk_size, [&](int batch, int lane, int i) {
-          if (i == row) set(walls, batch, lane, 1);
+        for_each_near_wall_in<Case>(walls, row / Capacity<Case>::chunk_size, [&](int chunk, int k, int i) {
+          if (i == row) set(walls, chunk, k, 1);
         });
       };
       if constexpr (Case::has_wall)
@@ -228,22 +228,22 @@ class Simulation {
       if constexpr (D::has_ends) s_.contacts.ends.count[c] = 0;
     }
     if constexpr (keeps_history<Case>) s_.kept.clear();
-    for (auto& ring : s_.contacts.rows)
-      for (auto& r : ring) r = 0;
+    for (auto& r : s_.contacts.rows) r = 0;
+    for (auto& sum : s_.contacts.sum)
+      for (auto& s : sum) s = 0;
   }
 
   /// Contacts that exist at the start have not begun in the first step (impulse_law.hpp).
   void mark_contacts_as_found() {
-    constexpr int place = ContactLaw<Case, false>::state_function_place;
-    for_each_near_pair(s_.contacts, [&](int batch, int lane, int, int) {
-      s_.contacts.pairs.history.value[batch][place][lane] = found_at_start;
-    });
-    const auto mark_walls = [&](auto& walls) {
-      for_each_near_wall<Case>(
-          walls, [&](int batch, int lane, int) { walls.history.value[batch][place][lane] = found_at_start; });
+    const auto mark = [](auto& batches) {
+      return [&batches](int range, int k, int, int = 0) {
+        batches.history_of(range, k)[ContactLaw<Case, false>::state_function_place] = found_at_start;
+        batches.note_history(range, k);
+      };
     };
-    if constexpr (Case::has_wall) mark_walls(s_.contacts.pipe);
-    if constexpr (D::has_ends) mark_walls(s_.contacts.ends);
+    for_each_near_pair(s_.contacts, mark(s_.contacts.pairs));
+    if constexpr (Case::has_wall) for_each_near_wall<Case>(s_.contacts.pipe, mark(s_.contacts.pipe));
+    if constexpr (D::has_ends) for_each_near_wall<Case>(s_.contacts.ends, mark(s_.contacts.ends));
   }
 
   /// The contact with the greatest overlap, as a fault where it is beyond the limit.

@@ -1,39 +1,13 @@
 // Which particles float: no other centre within 1.1 d, and not touching the lower half of the pipe wall.
 //
-// Only particles without a listed near pair are looked at: a listed pair was within d + margin when the list was made
-// and is within d + 2 margin < 1.1 d now. For the others the neighbours along z are compared, from the nearest on,
-// until z differs by more than the reach and what the order along the pipe may have changed since it was made. So the
-// answer depends on the present positions alone, never on when the list was renewed.
+// The outer list still holds all pairs within 1.1 d (outer_list.hpp), and each is looked at as it lies now. So the
+// answer depends on the present positions alone, never on when the list was made.
 #pragma once
 
 #include "gas_slices.hpp"
+#include "outer_list.hpp"
 
 namespace fixdem {
-
-namespace detail {
-
-/// Whether some centre on one side of particle i (step = +1 or -1 along the order) lies within the reach.
-template <class Case>
-bool has_company(const Particles<Case>& p, int i, int step) {
-  constexpr double reach = near_reach * Case::diameter;
-  constexpr double window = reach + 2 * order_slack * Case::diameter;  // both this and the next one may have moved
-  const double* a = p.position[i];
-  double shift = 0;
-  for (int j = i + step, seen = 1; seen < Case::particle_count; j += step, ++seen) {
-    if (j < 0 || j >= Case::particle_count) {
-      if constexpr (!Derived<Case>::is_periodic) return false;
-      j = j < 0 ? Case::particle_count - 1 : 0;
-      shift = step * Case::pipe_length;
-    }
-    const double* b = p.position[j];
-    const double dx = b[0] - a[0], dy = b[1] - a[1], dz = b[2] + shift - a[2];
-    if (step * dz > window) return false;
-    if (dx * dx + dy * dy + dz * dz < reach * reach) return true;
-  }
-  return false;
-}
-
-}  // namespace detail
 
 /// Whether a particle at this place of a section touches the lower half of the pipe wall.
 template <class Case>
@@ -41,13 +15,27 @@ bool is_on_bottom(double x, double y) {
   return y < 0 && sqrt(x * x + y * y) - (Derived<Case>::pipe_radius - Derived<Case>::radius) > 0;
 }
 
-template <class Case>
-void find_floaters(GasSlices<Case>& gas, const Particles<Case>& p, const Contacts<Case>& contacts) {
-  static_assert(1 + 2 * greatest_margin < near_reach, "fixdem: near pairs must stay within the floaters' reach");
+template <class Case, int W>
+void find_floaters(GasSlices<Case>& gas, const Particles<Case>& p, const OuterList<Case>& outer) {
+  constexpr double reach = near_reach * Case::diameter;
   for (int i = 0; i < Case::particle_count; ++i) {
     const double* x = p.position[i];
-    gas.floats[p.id[i]] = contacts.near_count[i] == 0 && !is_on_bottom<Case>(x[0], x[1]) &&
-                          !detail::has_company(p, i, 1) && !detail::has_company(p, i, -1);
+    gas.floats[p.id[i]] = !is_on_bottom<Case>(x[0], x[1]);
+  }
+  for (int range = 0; range < PairBatches<Case>::ranges; ++range) {
+    const PairRange<Case> at(range);
+    const auto *owners = outer.owner + outer.first(range), *partners = outer.partner + outer.first(range);
+    for (int k = 0; k < outer.pairs[range]; k += W) {
+      Vec3<Lanes<W>> r =
+          load_differences<W>(p.position[at.partner_base], partners + k, p.position[at.owner_base], owners + k);
+      r.z = r.z + at.shift;
+      // Behind the last pair of a range it is repeated.
+      for (unsigned near = bits(dot(r, r) < reach * reach); near != 0; near &= near - 1) {
+        const int pair = k + __builtin_ctz(near);
+        gas.floats[p.id[at.owner_base + Rows<Case>::number(owners[pair])]] = false;
+        gas.floats[p.id[at.partner_base + Rows<Case>::number(partners[pair])]] = false;
+      }
+    }
   }
 }
 

@@ -25,7 +25,6 @@ inline constexpr int newton_steps = 8;             ///< 5 reach rounding on rand
 inline constexpr double greatest_residual = 1e-9;  ///< relative to the flow
 inline constexpr double full_within = 1e-6;        ///< free height in pipe diameters below which a slice is full
 inline constexpr double least_void_fraction = 0.35, greatest_void_fraction = 0.95;
-inline constexpr double near_reach = 1.1;  ///< centres nearer than this, in diameters, make a particle part of the bed
 
 /// The flow in the slices at the last update: all that does not depend on how particles are stored.
 template <class Case>
@@ -45,8 +44,9 @@ struct SliceArrays {
 /// State of the gas at the last update.
 template <class Case, bool present = Case::has_gas>
 struct GasSlices : SliceArrays<Case> {
-  bool floats[Case::particle_count];   ///< by input number
-  int slice_of[Case::particle_count];  ///< by row; scratch of one update
+  bool floats[Case::particle_count];              ///< by input number
+  int slice_of[Case::particle_count];             ///< by row; scratch of one update
+  double kick_in_bed[SliceArrays<Case>::padded];  ///< velocity change per step of a bed particle, m/s; scratch
 };
 template <class Case>
 struct GasSlices<Case, false> {};
@@ -206,16 +206,16 @@ Status update_slices(GasSlices<Case>& gas, Particles<Case>& p) {
     if (const double residual = detail::solve_slices<Case, W>(gas, first, set_velocity);
         !(residual < greatest_residual))
       return {Fault::gas_unsolved, -1, 0, residual, greatest_residual};
+  constexpr double per_force = Case::time_step / Derived<Case>::mass;
+  for (int s = 0; s < Case::slice_count; ++s) gas.kick_in_bed[s] = detail::force_in_bed(gas, s) * per_force;
   for (int i = 0; i < Case::particle_count; ++i) {
     const int s = gas.slice_of[i];
-    double force[3] = {};
-    if (gas.floats[p.id[i]])
-      detail::drag_on_floater<Case>(gas.velocity_above[s], p.motion[i], force);
-    else
-      force[2] = detail::force_in_bed(gas, s);
     double* kick = p.gas_kick.row[i];
-    for (int k = 0; k < 3; ++k) kick[k] = force[k] * (Case::time_step / Derived<Case>::mass);
-    kick[3] = 0;
+    kick[0] = kick[1] = kick[3] = 0, kick[2] = gas.kick_in_bed[s];
+    if (!gas.floats[p.id[i]]) continue;
+    double force[3];
+    detail::drag_on_floater<Case>(gas.velocity_above[s], p.motion[i], force);
+    for (int k = 0; k < 3; ++k) kick[k] = force[k] * per_force;
   }
   return {};
 }

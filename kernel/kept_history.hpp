@@ -1,68 +1,75 @@
-// Contact histories by particle number, while contacts are renumbered.
+// Contact histories by particle number, while contacts are listed anew.
 //
-// Sorting moves contacts to other batches and can exchange owner and partner. Before, every history that is not zero is
-// put here under the input number of its owner; after, each new pair asks for its own. Seen from the
-// other side the tangential displacement changes sign: slip and normal both do. Capacity is that of the batches
-// themselves.
+// Listing moves contacts to other lanes, and sorting moves them to other chunks and can exchange owner and partner.
+// Before, every history that is not zero is kept here under the input numbers of its contact (walls have negative
+// ones); after, each listed contact asks for its own. Seen from the other side the tangential displacement changes
+// sign: slip and normal both do. Capacity is that of the batches themselves.
 #pragma once
 
 #include "contacts.hpp"
 
 namespace fixdem {
 
+inline constexpr int kept_pipe = -1, kept_end = -2;  ///< partners that are walls; a particle touches one end at most
+
 template <class Case, bool present = keeps_history<Case>>
 class KeptHistory {
  public:
-  static constexpr int size = ContactLaw<Case, false>::history_size;
-
+  /// Once, before the first use.
   void clear() {
     entries_ = 0;
-    for (int i = 0; i < Case::particle_count; ++i) {
-      newest_[i] = -1;
-      for (int c = 0; c < size; ++c) pipe[i][c] = ends[i][c] = 0;
-    }
+    for (int& newest : newest_) newest = -1;
   }
 
-  void keep(int owner, int partner, const Real<Case> (*value)[Capacity<Case>::batch], int lane) {
+  void keep(int owner, int partner, const HistoryNumbers<const Real<Case>>& numbers) {
     bool is_zero = true;
-    for (int c = 0; c < size; ++c) is_zero = is_zero && value[c][lane] == 0;
+    for (int c = 0; c < size; ++c) is_zero = is_zero && numbers[c] == 0;
     if (is_zero) return;
     Entry& e = entry_[entries_];
-    e.partner = partner;
-    e.older = newest_[owner];
-    for (int c = 0; c < size; ++c) e.value[c] = value[c][lane];
+    e.partner = partner, e.older = newest_[owner] >= 0 ? newest_[owner] : -1 - owner;
+    for (int c = 0; c < size; ++c) e.value[c] = numbers[c];
     newest_[owner] = entries_++;
   }
 
-  /// Writes the history of the pair into a lane; zero when it has none.
-  void restore(int owner, int partner, Real<Case> (*value)[Capacity<Case>::batch], int lane) const {
-    if (copy(owner, partner, 1, value, lane) || copy(partner, owner, -1, value, lane)) return;
-    for (int c = 0; c < size; ++c) value[c][lane] = 0;
+  /// Writes the history of the contact; zero, and false, when it has none.
+  bool restore(int owner, int partner, const HistoryNumbers<Real<Case>>& numbers) const {
+    if (copy(owner, partner, 1, numbers)) return true;
+    if (partner >= 0 && copy(partner, owner, -1, numbers)) return true;
+    for (int c = 0; c < size; ++c) numbers[c] = 0;
+    return false;
   }
 
-  const Real<Case>* of_pipe(int id) const { return pipe[id]; }
-  const Real<Case>* of_end(int id) const { return ends[id]; }
+  /// Whether there is nothing in it; a state from outside may have any bytes here.
+  bool is_empty() const {
+    bool is_empty = entries_ == 0;
+    for (int newest : newest_) is_empty = is_empty && newest == -1;
+    return is_empty;
+  }
 
-  Real<Case> pipe[Case::particle_count][size];  ///< of the pipe wall, by input number
-  Real<Case> ends[Case::particle_count][size];  ///< of an end wall
+  void forget() {
+    while (entries_ > 0)
+      if (const int older = entry_[--entries_].older; older < 0) newest_[-1 - older] = -1;
+  }
 
  private:
+  static constexpr int size = ContactLaw<Case, false>::history_size;
   static constexpr int vectors = 3 * ContactLaw<Case, false>::history_vectors;  ///< numbers that change sign
+  static constexpr int kinds_of_wall = (Case::has_wall ? 1 : 0) + (Derived<Case>::has_ends ? 1 : 0);
 
-  bool copy(int owner, int partner, Real<Case> sign, Real<Case> (*value)[Capacity<Case>::batch], int lane) const {
+  bool copy(int owner, int partner, Real<Case> sign, const HistoryNumbers<Real<Case>>& numbers) const {
     for (int k = newest_[owner]; k >= 0; k = entry_[k].older) {
       if (entry_[k].partner != partner) continue;
-      for (int c = 0; c < size; ++c) value[c][lane] = (c < vectors ? sign : Real<Case>{1}) * entry_[k].value[c];
+      for (int c = 0; c < size; ++c) numbers[c] = (c < vectors ? sign : Real<Case>{1}) * entry_[k].value[c];
       return true;
     }
     return false;
   }
 
   struct Entry {
-    int partner, older;
+    int partner, older;  ///< of the same owner; its oldest entry has -1 - owner there
     Real<Case> value[size];
   };
-  Entry entry_[PairBatches<Case>::batches * Capacity<Case>::batch];
+  Entry entry_[PairBatches<Case>::batches * Capacity<Case>::batch + kinds_of_wall * Case::particle_count];
   int newest_[Case::particle_count];
   int entries_;
 };
@@ -71,11 +78,14 @@ class KeptHistory {
 template <class Case>
 class KeptHistory<Case, false> {
  public:
-  const Real<Case>* of_pipe(int) const { return nullptr; }
-  const Real<Case>* of_end(int) const { return nullptr; }
+  void clear() {}
+  void keep(int, int, const HistoryNumbers<const Real<Case>>&) {}
+  bool restore(int, int, const HistoryNumbers<Real<Case>>&) const { return false; }
+  bool is_empty() const { return true; }
+  void forget() {}
 };
 
-/// Visits every real lane of one range of the pair batches: f(batch, lane, owner row, partner row).
+/// Visits every near pair of one range: f(range, number in the range, owner row, partner row).
 template <class Case, class F>
 void for_each_near_pair_in(const Contacts<Case>& contacts, int range, F&& f) {
   const bool wraps = range == Capacity<Case>::chunks;
@@ -83,7 +93,7 @@ void for_each_near_pair_in(const Contacts<Case>& contacts, int range, F&& f) {
   const int partner_base = wraps ? Rows<Case>::wrap_base : owner_base;
   for (int k = 0; k < contacts.pairs.count[range]; ++k) {
     const int batch = PairBatches<Case>::first(range) + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
-    f(batch, lane, owner_base + Rows<Case>::number(contacts.pairs.owner[batch][lane]),
+    f(range, k, owner_base + Rows<Case>::number(contacts.pairs.owner[batch][lane]),
       partner_base + Rows<Case>::number(contacts.pairs.partner[batch][lane]));
   }
 }
@@ -93,18 +103,34 @@ void for_each_near_pair(const Contacts<Case>& contacts, F&& f) {
   for (int range = 0; range < PairBatches<Case>::ranges; ++range) for_each_near_pair_in(contacts, range, f);
 }
 
-/// Visits every real lane of the batches of one kind of wall in one chunk: f(batch, lane, owner row).
+/// Visits every near wall of one kind in one chunk: f(chunk, number in the chunk, owner row).
 template <class Case, class Walls, class F>
 void for_each_near_wall_in(const Walls& walls, int chunk, F&& f) {
   for (int k = 0; k < walls.count[chunk]; ++k) {
     const int batch = Walls::first(chunk) + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
-    f(batch, lane, chunk * Capacity<Case>::chunk_size + Rows<Case>::number(walls.owner[batch][lane]));
+    f(chunk, k, chunk * Capacity<Case>::chunk_size + Rows<Case>::number(walls.owner[batch][lane]));
   }
 }
 
 template <class Case, class Walls, class F>
 void for_each_near_wall(const Walls& walls, F&& f) {
   for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk) for_each_near_wall_in<Case>(walls, chunk, f);
+}
+
+/// Keeps the histories of a range of pairs, or of the walls of one kind of a chunk.
+template <class Case>
+void keep_pair_histories(const Contacts<Case>& contacts, const Particles<Case>& p, KeptHistory<Case>& kept, int range) {
+  if constexpr (keeps_history<Case>)
+    for_each_near_pair_in(contacts, range, [&](int, int k, int owner, int partner) {
+      kept.keep(p.id[owner], p.id[partner], contacts.pairs.history_of(range, k));
+    });
+}
+template <class Case, class Walls>
+void keep_wall_histories(const Walls& walls, const Particles<Case>& p, KeptHistory<Case>& kept, int partner,
+                         int chunk) {
+  if constexpr (keeps_history<Case>)
+    for_each_near_wall_in<Case>(
+        walls, chunk, [&](int, int k, int owner) { kept.keep(p.id[owner], partner, walls.history_of(chunk, k)); });
 }
 
 }  // namespace fixdem

@@ -23,6 +23,17 @@ struct Vec3 {
   V x, y, z;
 };
 
+/// Four of them: a row of numbers.
+template <class V>
+struct Vec4 {
+  V x, y, z, w;
+};
+
+template <class V>
+FIXDEM_INLINE Vec4<V> padded(const Vec3<V>& a) {
+  return {a.x, a.y, a.z, V{}};
+}
+
 // ---- one lane: plain numbers -------------------------------------------------------------------------------------
 FIXDEM_INLINE double fused(double a, double b, double c) { return __builtin_fma(a, b, c); }  // a b + c
 FIXDEM_INLINE double sqrt(double a) { return __builtin_sqrt(a); }
@@ -49,6 +60,11 @@ FIXDEM_INLINE V splat(double a) {
 template <class V>
 FIXDEM_INLINE V max(V a, V b) {
   return a > b ? a : b;
+}
+
+template <class V>
+FIXDEM_INLINE V min(V a, V b) {
+  return a < b ? a : b;
 }
 
 template <class Mask, class V>

@@ -1,10 +1,8 @@
-// Listing one range anew: the pairs of a chunk, with its walls, or those across the periodic ends.
+// Listing of one range of pairs, or of the walls of one chunk, while everything else stays.
 //
-// Candidates come from the order along the pipe (near_list.hpp): a particle is compared with its followers up to the
-// end of its reach, W at a time. Pairs are listed by increasing numbers, so as long as nobody is renumbered old and new
-// list are both sorted, and histories are carried over in one pass through both; after a sort they come from
-// kept_history.hpp. Nothing but this range is touched. Every capacity is checked before it is used, and the first that
-// does not suffice ends the run.
+// Pairs are chosen out of the outer list, W at a time; walls are looked for among all particles of the chunk. Histories
+// are carried over by kept_history.hpp. Every capacity is checked before it is used, and the first that does not
+// suffice ends the run.
 #pragma once
 
 #include "kept_history.hpp"
@@ -13,234 +11,169 @@
 namespace fixdem {
 
 /// Share of touching pairs below which a range counts as sparse (sparse_contacts.hpp).
-inline constexpr double sparse_below = 0.5;
+inline constexpr double sparse_below = 0.7;
 
-/// Room for what one listing needs for its duration.
+/// Room for what listing slots (slots.hpp) needs for its duration.
 template <class Case>
 struct ListingScratch {
   using Cap = Capacity<Case>;
-  using Offset = typename Rows<Case>::Offset;
-  static constexpr int size = ContactLaw<Case, false>::history_size;
-  static constexpr int span = 2 * Cap::chunk_size;  ///< particles in which the pairs of a chunk lie
-  static constexpr int kept_pairs = size > 0 ? Cap::chunk_pairs : 1;
-  static constexpr int kept_numbers = size > 0 ? size : 1;
-
-  alignas(64) double x[span + 8], y[span + 8], z[span + 8];
-  int key[kept_pairs];  ///< of the old pairs or walls, increasing
-  Real<Case> history[kept_pairs][kept_numbers];
+  using Offset = typename Rows<Case>::SlotOffset;
+  unsigned char own[Cap::chunk_size], incoming[Cap::chunk_size], neighbours[Cap::chunk_size];
   Offset own_row[Cap::chunk_size][Contacts<Case>::max_slots], incoming_row[Cap::chunk_size][Cap::neighbours];
 };
 
 namespace detail {
 
-/// Fills the lanes behind the last contact of a range with copies of the last one, history zero. Nobody sums their
-/// rows.
-template <class Case, int Size, class Batches>
-void fill_last_batch(Batches& batches, int first_batch, int contacts) {
-  for (int k = contacts; k % Capacity<Case>::batch != 0; ++k) {
-    const int batch = first_batch + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
-    batches.owner[batch][lane] = batches.owner[batch][lane - 1];
-    if constexpr (requires { batches.partner; }) batches.partner[batch][lane] = batches.partner[batch][lane - 1];
-    if constexpr (Size > 0)
-      for (int c = 0; c < Size; ++c) batches.history.value[batch][c][lane] = 0;
+/// Histories of the contacts of a range just listed, `owner(k)` and `partner(k)` being their input numbers; the lanes
+/// behind the last one repeat it, without history, and nobody sums their rows. Lanes with a history are noted: in a
+/// sparse range they lose it if they do not touch.
+template <class Case, class Batches, class Owner, class Partner>
+void restore_histories(Batches& batches, const KeptHistory<Case>& kept, int range, Owner&& owner, Partner&& partner) {
+  constexpr int lanes = Capacity<Case>::batch;
+  const int first = Batches::first(range), count = batches.count[range];
+  for (int b = 0; b < batches_for<Case>(count); ++b) batches.touching[first + b] = 0;
+  for (int k = 0; k < count; ++k)
+    if (kept.restore(owner(k), partner(k), batches.history_of(range, k))) batches.note_history(range, k);
+  for (int k = count; k % lanes != 0; ++k) {
+    const int b = first + k / lanes, lane = k % lanes;
+    batches.owner[b][lane] = batches.owner[b][lane - 1];
+    if constexpr (requires { batches.partner; }) batches.partner[b][lane] = batches.partner[b][lane - 1];
+    for (int c = 0; c < Batches::history_size; ++c) batches.history_of(range, k)[c] = 0;
   }
 }
 
-/// Histories of an old list whose particles still have their numbers: asked for by increasing keys.
-template <class Case>
-class OldHistories {
- public:
-  explicit OldHistories(ListingScratch<Case>& scratch) : scratch_(scratch) {}
-
-  template <class Batches>
-  void keep(const Batches& batches, int first_batch, int k, int key) {
-    scratch_.key[k] = key;
-    for (int c = 0; c < size; ++c)
-      scratch_.history[k][c] =
-          batches.history.value[first_batch + k / Capacity<Case>::batch][c][k % Capacity<Case>::batch];
-    kept_ = k + 1;
-  }
-  void restore(int key, Real<Case> (*value)[Capacity<Case>::batch], int lane) {
-    while (next_ < kept_ && scratch_.key[next_] < key) ++next_;
-    const bool found = next_ < kept_ && scratch_.key[next_] == key;
-    for (int c = 0; c < size; ++c) value[c][lane] = found ? scratch_.history[next_][c] : 0;
-  }
-
- private:
-  static constexpr int size = ListingScratch<Case>::size;
-  ListingScratch<Case>& scratch_;
-  int kept_ = 0, next_ = 0;
-};
-
-/// Number of a pair that increases in the order of listing.
-template <class Case>
-constexpr int pair_key(int range, int owner, int partner) {
-  constexpr int span = 4 * Capacity<Case>::chunk_size;
-  return range == Capacity<Case>::chunks ? partner * span + owner : owner * span + partner;
-}
-
-/// Calls found(j, square of the distance) for the centres `from` to `to` of the scratch within the cut-off of (x, y,
-/// z).
-template <class Case, int W, class Found>
-FIXDEM_INLINE void search(const ListingScratch<Case>& at, double x, double y, double z, int from, int to,
-                          double square_cut, Found&& found) {
-  using V = Lanes<W>;
-  for (int j = from; j < to; j += W) {
-    const V dx = load_any<V>(at.x + j) - x, dy = load_any<V>(at.y + j) - y, dz = load_any<V>(at.z + j) - z;
-    const V square = fused(dz, dz, fused(dy, dy, dx * dx));
-    if (!any(square < square_cut)) continue;
-    alignas(64) double squares[W];
-    store(squares, square);
-    for (int lane = 0; lane < W && j + lane < to; ++lane)
-      if (squares[lane] < square_cut) found(j + lane, squares[lane]);
-  }
-}
-
-/// Centres of `particles` particles from number `first` on, shifted along the pipe, into the scratch.
-template <class Case>
-void gather_centres(ListingScratch<Case>& scratch, const Particles<Case>& p, int first, int particles, double shift) {
-  for (int k = 0; k < particles; ++k) {
-    const double* centre = p.position[first + k];
-    scratch.x[k] = centre[0], scratch.y[k] = centre[1], scratch.z[k] = centre[2] + shift;
-  }
-}
-
-/// Lists the walls of one kind of a chunk: those nearer than `margin`, by `is_near(margin, position)`; `restore(number
-/// in the chunk, history, lane)` fills histories.
-template <class Case, class Walls, class IsNear, class Restore>
-void list_walls(Walls& walls, const Particles<Case>& p, int chunk, double margin, IsNear&& is_near, Restore&& restore) {
-  constexpr int size = Walls::history_size;
-  const int first = Walls::first(chunk);
+/// Lists the walls of one kind of a chunk: those nearer than the margin of the promise. As far as the nearest of those
+/// that are not listed lies farther away, the promise holds for longer. `partner`: what they are called in `kept`.
+template <class Case, class Walls, class Gap>
+void list_walls(Walls& walls, const Particles<Case>& p, const KeptHistory<Case>& kept, int partner, int chunk,
+                bool pairs_are_sparse, Promise& promise, Gap&& gap_of) {
+  const int base = chunk * Capacity<Case>::chunk_size, first = Walls::first(chunk);
+  double nearest_unlisted = 1e300;
   int k = 0, touching = 0;
   for (int i = 0; i < particles_in<Case>(chunk); ++i) {
-    const double* position = p.position[chunk * Capacity<Case>::chunk_size + i];
-    if (!is_near(margin, position)) continue;
-    touching += is_near(0, position);
+    const double gap = gap_of(p.position[base + i]);
+    if (!(gap < promise.margin)) {
+      nearest_unlisted = min(gap, nearest_unlisted);
+      continue;
+    }
+    touching += gap < 0;
     const int batch = first + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
     walls.owner[batch][lane] = Rows<Case>::offset(i);
-    if constexpr (size > 0) restore(i, walls.history.value[batch], lane);
     ++k;
   }
+  promise.margin = nearest_unlisted;
   walls.count[chunk] = k;
-  walls.sparse[chunk] = touching < sparse_below * k;
-  for (int b = 0; b < batches_for<Case>(k); ++b) walls.touching[first + b] = Capacity<Case>::all_lanes;
-  fill_last_batch<Case, size>(walls, first, k);
+  walls.sparse[chunk] = pairs_are_sparse || touching <= sparse_below * k;
+  const auto owner = [&](int j) {
+    return p.id[base + Rows<Case>::number(walls.owner[first + j / Capacity<Case>::batch][j % Capacity<Case>::batch])];
+  };
+  restore_histories<Case>(walls, kept, chunk, owner, [&](int) { return partner; });
+}
+
+/// Distances of a sphere at a place from the pipe's wall, and from the nearer end; m.
+template <class Case>
+double gap_to_pipe(const double* x) {
+  return Derived<Case>::pipe_radius - Derived<Case>::radius - sqrt(fused(x[1], x[1], x[0] * x[0]));
+}
+template <class Case>
+double gap_to_end(const double* x) {
+  return min(x[2], Case::pipe_length - x[2]) - Derived<Case>::radius;
 }
 
 }  // namespace detail
 
-/// Lists the pairs of a range. `restore(owner, partner, history, lane)` fills histories, numbers counted from the
-/// range's bases. A fault names the particle whose pair is one too many.
-template <class Case, int W, class Restore>
+/// Lists the pairs of a range. A fault names the particle whose pair is one too many.
+template <class Case, int W>
 Status list_pairs(Contacts<Case>& contacts, NearList<Case>& near, const Particles<Case>& p,
-                  ListingScratch<Case>& scratch, int range, Restore&& restore) {
+                  const KeptHistory<Case>& kept, int range) {
   using Cap = Capacity<Case>;
-  constexpr int count = Case::particle_count;
+  using V = Lanes<W>;
   PairBatches<Case>& pairs = contacts.pairs;
-  const bool wraps = range == Cap::chunks;
-  const int first = PairBatches<Case>::first(range);
-  const double cut_off = Case::diameter + near.promise[range].margin, square_cut = cut_off * cut_off;
+  const OuterList<Case>& outer = near.outer;
+  const PairRange<Case> at(range);
+  const int first = PairBatches<Case>::first(range), candidates = outer.pairs[range];
+  const auto *owners = outer.owner + outer.first(range), *partners = outer.partner + outer.first(range);
+  near.pairs[range].renew(near.velocities_of(range).spread() * Case::time_step, greatest_margin, Case::diameter);
+  const double cut_off = Case::diameter + near.pairs[range].margin;
   int k = 0, touching = 0;
-  bool is_full = false;
-  const auto add = [&](int owner, int partner, double square) {
-    if (k == Cap::chunk_pairs) is_full = true;
-    if (is_full) return;
-    const int batch = first + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
-    pairs.owner[batch][lane] = Rows<Case>::offset(owner);
-    pairs.partner[batch][lane] = Rows<Case>::offset(partner);
-    if constexpr (PairBatches<Case>::history_size > 0) restore(owner, partner, pairs.history.value[batch], lane);
-    touching += square < Case::diameter * Case::diameter;
-    ++k;
-  };
-  int i = wraps ? Rows<Case>::wrap_base : range * Cap::chunk_size;
-  if (wraps) {
-    detail::gather_centres(scratch, p, 0, NearList<Case>::copies, Case::pipe_length);
-    for (; i < count && !is_full; ++i) {
-      const double* x = p.position[i];
-      detail::search<Case, W>(scratch, x[0], x[1], x[2], 0, near.end_of_reach[i] - count, square_cut,
-                              [&](int j, double square) { add(j, i - Rows<Case>::wrap_base, square); });
-    }
-  } else {
-    const int base = i, end = base + particles_in<Case>(range);
-    const int seen = base + ListingScratch<Case>::span < count ? ListingScratch<Case>::span : count - base;
-    detail::gather_centres(scratch, p, base, seen, 0);
-    for (; i < end && !is_full; ++i) {
-      const int own = i - base, to = (near.end_of_reach[i] < count ? near.end_of_reach[i] : count) - base;
-      detail::search<Case, W>(scratch, scratch.x[own], scratch.y[own], scratch.z[own], own + 1, to, square_cut,
-                              [&](int j, double square) { add(own, j, square); });
+  for (int c = 0; c < candidates; c += W) {
+    Vec3<V> r = load_differences<W>(p.position[at.partner_base], partners + c, p.position[at.owner_base], owners + c);
+    r.z = r.z + at.shift;
+    const V square = dot(r, r);
+    const unsigned valid = candidates - c < W ? (1u << (candidates - c)) - 1 : ~0u;
+    unsigned hits = bits(square < cut_off * cut_off) & valid;
+    touching += __builtin_popcount(bits(square < Case::diameter * Case::diameter) & hits);
+    for (; hits != 0; hits &= hits - 1) {
+      const int from = c + __builtin_ctz(hits), batch = first + k / Cap::batch, lane = k % Cap::batch;
+      const int owner = at.owner_base + Rows<Case>::number(owners[from]);
+      if (k++ == pairs.capacity(range)) return {Fault::pair_capacity, p.id[owner], 0, 1.0 * k, k - 1.0};
+      pairs.owner[batch][lane] = owners[from];
+      pairs.partner[batch][lane] = partners[from];
     }
   }
-  if (is_full) return {Fault::pair_capacity, p.id[i - 1], 0, Cap::chunk_pairs + 1, Cap::chunk_pairs};
   pairs.count[range] = k;
-  pairs.sparse[range] = touching < sparse_below * k;
-  for (int b = 0; b < batches_for<Case>(k); ++b) pairs.touching[first + b] = Cap::all_lanes;  // as far as is known
-  detail::fill_last_batch<Case, PairBatches<Case>::history_size>(pairs, first, k);
-  int& most = wraps ? near.most_wrap_pairs : near.most_chunk_pairs;
+  pairs.sparse[range] = touching <= sparse_below * k;
+  const auto id_of = [&](const auto& rows, int base) {
+    return [&rows, &p, base, first](int j) {
+      return p.id[base + Rows<Case>::number(rows[first + j / Cap::batch][j % Cap::batch])];
+    };
+  };
+  detail::restore_histories<Case>(pairs, kept, range, id_of(pairs.owner, at.owner_base),
+                                  id_of(pairs.partner, at.partner_base));
+  int& most = range == Cap::chunks ? near.most_wrap_pairs : near.most_chunk_pairs;
   if (k > most) most = k;
   return {};
 }
 
-/// Whether a place is nearer to the pipe's wall than a sphere that touches it plus the margin.
+/// Lists the walls of a chunk, of each kind whose promise does not hold.
 template <class Case>
-bool is_near_pipe(double margin, const double* x) {
-  const double q = Derived<Case>::pipe_radius - Derived<Case>::radius - margin;
-  return x[0] * x[0] + x[1] * x[1] > (q > 0 ? q * q : -1);
+void list_pipe(Contacts<Case>& contacts, NearList<Case>& near, const Particles<Case>& p, const KeptHistory<Case>& kept,
+               int chunk) {
+  near.pipe[chunk].renew(near.velocities[chunk].speed_across() * Case::time_step, greatest_wall_margin, Case::diameter);
+  detail::list_walls(contacts.pipe, p, kept, kept_pipe, chunk, contacts.pairs.sparse[chunk], near.pipe[chunk],
+                     detail::gap_to_pipe<Case>);
 }
-/// The same of an end.
 template <class Case>
-bool is_near_end(double margin, const double* x) {
-  const double reach = Derived<Case>::radius + margin;
-  return x[2] < reach || x[2] > Case::pipe_length - reach;
+void list_ends(Contacts<Case>& contacts, NearList<Case>& near, const Particles<Case>& p, const KeptHistory<Case>& kept,
+               int chunk) {
+  near.ends[chunk].renew(near.velocities[chunk].speed_along() * Case::time_step, greatest_wall_margin, Case::diameter);
+  detail::list_walls(contacts.ends, p, kept, kept_end, chunk, contacts.pairs.sparse[chunk], near.ends[chunk],
+                     detail::gap_to_end<Case>);
 }
 
-/// Lists a range anew from the present places; particles have kept their numbers since it was listed last.
+/// Before a step of a range, in which its particles have come `way` at most relative to each other: lists again what no
+/// longer holds. Particles have kept their numbers since the last time.
 template <class Case, int W>
-Status list_again(Contacts<Case>& contacts, NearList<Case>& near, const Particles<Case>& p,
-                  ListingScratch<Case>& scratch, int range) {
+Status keep_listed(Contacts<Case>& contacts, NearList<Case>& near, const Particles<Case>& p, KeptHistory<Case>& kept,
+                   int range, double way) {
   using Cap = Capacity<Case>;
-  near.promise_anew(range);
-  ++near.listings;
-  contacts.slots_are_stale[range == Cap::chunks ? 0 : range] = true;
-  if (range == Cap::chunks) {
-    contacts.slots_are_stale[Cap::chunks - 1] = true;
-    if constexpr (Cap::chunks > 1) contacts.slots_are_stale[Cap::chunks - 2] = true;
-  } else if (range + 1 < Cap::chunks) {
-    contacts.slots_are_stale[range + 1] = true;
+  Status status;
+  if (!near.pairs[range].still_holds(way)) {
+    ++near.listings;
+    keep_pair_histories(contacts, p, kept, range);
+    status = list_pairs<Case, W>(contacts, near, p, kept, range);
+    kept.forget();
+    if (range == Cap::chunks)
+      for (int c = 0; c < Cap::chunks; ++c) contacts.slots_are_stale[c] |= near.outer.concerns_ends(c);
+    else
+      for (int c = range; c <= range + contacts.span && c < Cap::chunks; ++c) contacts.slots_are_stale[c] = true;
   }
-
-  constexpr bool has_history = PairBatches<Case>::history_size > 0;
-  detail::OldHistories<Case> old(scratch);
-  if constexpr (has_history) {
-    const int first = PairBatches<Case>::first(range);
-    for (int k = 0; k < contacts.pairs.count[range]; ++k)
-      old.keep(
-          contacts.pairs, first, k,
-          detail::pair_key<Case>(
-              range,
-              Rows<Case>::number(contacts.pairs.owner[first + k / Capacity<Case>::batch][k % Capacity<Case>::batch]),
-              Rows<Case>::number(
-                  contacts.pairs.partner[first + k / Capacity<Case>::batch][k % Capacity<Case>::batch])));
-  }
-  const Status status =
-      list_pairs<Case, W>(contacts, near, p, scratch, range,
-                          [&](int owner, int partner, Real<Case>(*value)[Capacity<Case>::batch], int lane) {
-                            old.restore(detail::pair_key<Case>(range, owner, partner), value, lane);
-                          });
-  if (!status.ok() || range == Cap::chunks) return status;
-
-  const auto walls = [&](auto& kind, auto is_near) {
-    detail::OldHistories<Case> old_walls(scratch);
-    if constexpr (has_history)
-      for (int k = 0; k < kind.count[range]; ++k)
-        old_walls.keep(
-            kind, kind.first(range), k,
-            Rows<Case>::number(kind.owner[kind.first(range) + k / Capacity<Case>::batch][k % Capacity<Case>::batch]));
-    detail::list_walls(
-        kind, p, range, near.promise[range].margin, is_near,
-        [&](int i, Real<Case>(*value)[Capacity<Case>::batch], int lane) { old_walls.restore(i, value, lane); });
-  };
-  if constexpr (Case::has_wall) walls(contacts.pipe, is_near_pipe<Case>);
-  if constexpr (Derived<Case>::has_ends) walls(contacts.ends, is_near_end<Case>);
+  if (range == Cap::chunks) return status;
+  const VelocityBox& own = near.velocities[range];
+  if constexpr (Case::has_wall)
+    if (!near.pipe[range].still_holds(own.speed_across() * Case::time_step)) {
+      keep_wall_histories(contacts.pipe, p, kept, kept_pipe, range);
+      list_pipe(contacts, near, p, kept, range);
+      kept.forget();
+      contacts.slots_are_stale[range] = true;
+    }
+  if constexpr (Derived<Case>::has_ends)
+    if (!near.ends[range].still_holds(own.speed_along() * Case::time_step)) {
+      keep_wall_histories(contacts.ends, p, kept, kept_end, range);
+      list_ends(contacts, near, p, kept, range);
+      kept.forget();
+      contacts.slots_are_stale[range] = true;
+    }
   return status;
 }
 

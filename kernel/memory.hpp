@@ -21,7 +21,7 @@ struct MemoryUse {
   static constexpr long long pair_histories = bytes_of<decltype(Pairs::history)>;
   static constexpr long long pairs = sizeof(Pairs) - pair_histories;
   static constexpr long long walls = bytes_of<decltype(C::pipe)> + bytes_of<decltype(C::ends)>;
-  static constexpr long long force_rows = sizeof(C::rows) + bytes_of<decltype(C::edge)>;
+  static constexpr long long force_rows = sizeof(C::rows);
   static constexpr long long slots = static_cast<long long>(sizeof(C)) - sizeof(Pairs) - walls - force_rows;
   static constexpr long long near_list = sizeof(NearList<Case>);
   static constexpr long long listing = sizeof(ListingScratch<Case>) + bytes_of<KeptHistory<Case>>;
@@ -104,7 +104,7 @@ HighWater high_water(const NearList<Case>& near, int k) {
     case 2:
       return {"wrap_pairs", Derived<Case>::is_periodic ? Cap::wrap_pairs : 0, near.most_wrap_pairs};
     default:
-      return {"chunk_size", Cap::chunk_size, near.most_reach};
+      return {"in_reach", Cap::in_reach, near.most_reach};
   }
 }
 

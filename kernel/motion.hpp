@@ -1,9 +1,10 @@
-// Sum of the force rows of each particle, and its motion; eqs. (1)-(5), (13), (14).
+// Sum of what contacts give each particle, and its motion; eqs. (1)-(5), (13), (14).
 //
-// A particle adds the rows of its own contacts, subtracts the forces of the incoming ones (torques are equal on both
-// spheres and are added), adds gravity and gas, and moves while the sum is in registers: semi-implicit Euler, position
-// with the new velocity. With positions held half a step ahead the same two lines are the leapfrog. Rows are scaled to
-// velocity change per step; r dw = r^2 m / I times the torque row = 2.5 times it for a solid sphere.
+// A particle adds the rows of its own dense contacts, subtracts the forces of the incoming ones (torques are equal on
+// both spheres and are added), adds what the sparse ones have summed already (sparse_contacts.hpp), gravity and gas,
+// and moves while the sum is in registers: semi-implicit Euler, position with the new velocity. With positions held
+// half a step ahead the same two lines are the leapfrog. Rows are scaled to velocity change per step; r dw = r^2 m / I
+// times the torque row = 2.5 times it for a solid sphere.
 #pragma once
 
 #include "contacts.hpp"
@@ -36,36 +37,37 @@ inline constexpr int motion_step = W < Particles<Case>::motion_width ? W : Parti
 template <class Case, int W>
 struct MotionWatch {
   static constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
-  Partials<step, width> motion_square, square_sum;
+  Partials<step, width> low, high, square_sum;
   FIXDEM_INLINE explicit MotionWatch(const Watch<Case>& watch)
-      : motion_square(watch.motion_square), square_sum(watch.square_sum) {}
+      : low(watch.low), high(watch.high), square_sum(watch.square_sum) {}
   FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
-    motion_square.put_back(watch.motion_square);
+    low.put_back(watch.low);
+    high.put_back(watch.high);
     square_sum.put_back(watch.square_sum);
   }
 };
 template <class Case, int W>
 requires(Case::energy_ledger&& Case::has_gas) struct MotionWatch<Case, W> {
   static constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
-  Partials<step, width> motion_square, square_sum, gas_work;
+  Partials<step, width> low, high, square_sum, gas_work;
   FIXDEM_INLINE explicit MotionWatch(const Watch<Case>& watch)
-      : motion_square(watch.motion_square), square_sum(watch.square_sum), gas_work(watch.ledger.gas_work) {}
+      : low(watch.low), high(watch.high), square_sum(watch.square_sum), gas_work(watch.ledger.gas_work) {}
   FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
-    motion_square.put_back(watch.motion_square);
+    low.put_back(watch.low);
+    high.put_back(watch.high);
     square_sum.put_back(watch.square_sum);
     gas_work.put_back(watch.ledger.gas_work);
   }
 };
 
-/// Velocity change of a particle by its contacts: own rows, less the forces of incoming ones (torques are equal on both
-/// spheres and are added). In mixed precision rows are summed in float, then widened.
+/// Velocity change of a particle by its contacts: own rows, less the forces of incoming ones. In mixed precision rows
+/// are summed in float, then widened.
 template <class Case, int W, int k>
 FIXDEM_INLINE void sum_rows(
     const std::size_t* own_rows, const Real<Case>* rows,
     Lanes<motion_step<Case, W>> (&change)[Particles<Case>::motion_width / motion_step<Case, W>]) {
   constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   using Sum = RowSum<width, contact_lanes<Case, W>, Real<Case>>;
-  alignas(64) static constexpr Real<Case> incoming_sign[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
   Sum own{}, incoming{};
   if constexpr (k > 0) {
     own.start(row_at<width>(rows, own_rows[0]));
@@ -76,7 +78,8 @@ FIXDEM_INLINE void sum_rows(
     incoming.add(row_at<width>(rows, own_rows[k + s]));
   }
   for (int p = 0; p < Sum::parts; ++p)
-    own.part[p] = fused(load<typename Sum::V>(incoming_sign + p * Sum::step), incoming.part[p], own.part[p]);
+    own.part[p] =
+        fused(load<typename Sum::V>(incoming_sign<Real<Case>> + p * Sum::step), incoming.part[p], own.part[p]);
   if constexpr (is_mixed<Case>) {
     alignas(64) float sum[width];
     for (int p = 0; p < Sum::parts; ++p) store(sum + p * Sum::step, own.part[p]);
@@ -86,10 +89,12 @@ FIXDEM_INLINE void sum_rows(
   }
 }
 
-/// Moves the `particles_in_bucket` particles of one bucket with k own and k incoming rows each.
-template <class Case, int W, int k, class Offset>
-FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bucket, int base, const Real<Case>* rows,
-                                        Particles<Case>& particles, MotionWatch<Case, W>& watch) {
+/// Moves one particle by the velocity change of its contacts. `offset`: its row, from the first one of the chunk.
+template <class Case, int W>
+FIXDEM_INLINE void move_particle(
+    std::size_t offset,
+    const Lanes<motion_step<Case, W>> (&change)[Particles<Case>::motion_width / motion_step<Case, W>], int base,
+    Particles<Case>& particles, MotionWatch<Case, W>& watch) {
   constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   using V = Lanes<step>;
   using Half = Lanes<(step > 1 ? step / 2 : 1)>;  // the translation in a register of 8
@@ -106,71 +111,114 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
   if constexpr (is_coupled<Case>) gravity_kick = particles.coupling.kick;
   alignas(64) static constexpr double inertia[8] = {1, 1, 1, 1, 2.5, 2.5, 2.5, 2.5};  // r^2 m / I
 
+  double* const motion = row_at<width>(particles.motion[base], offset);
+  double* const position = row_at<4>(particles.position[base], offset);
+  for (int p = 0; p < width / step; ++p) {
+    const int column = p * step;
+    const bool translates = column < 4;  // a part of rotation alone feels neither gravity nor gas
+    V kick = change[p];
+    if (translates) kick = kick + load<V>(gravity_kick + column);
+    [[maybe_unused]] V gas{};
+    if constexpr (Case::has_gas) {
+      const double* const by_gas = row_at<4>(particles.gas_kick.row[base], offset);
+      if constexpr (step == 8)
+        gas = __builtin_shufflevector(load<Half>(by_gas), -Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
+      else if (translates)
+        gas = load<V>(by_gas + column);
+      if (translates) kick = kick + gas;
+    }
+    const V moved = fused(load<V>(inertia + column), kick, load<V>(motion + column));
+    store(motion + column, moved);
+    if constexpr (is_mixed<Case>)
+      store_narrow<step>(row_at<width>(particles.motion_as_float.row[base], offset) + column, moved);
+    const V square = moved * moved;
+    if (translates) {
+      watch.low.part[p] = min(moved, watch.low.part[p]);
+      watch.high.part[p] = max(moved, watch.high.part[p]);
+    }
+    watch.square_sum.part[p] = square + watch.square_sum.part[p];
+    if constexpr (step == 8) {
+      const Half velocity = __builtin_shufflevector(moved, moved, 0, 1, 2, 3);
+      store(position, fused(velocity, splat<Half>(Case::time_step), load<Half>(position)));
+    } else if (translates) {
+      store(position + column, fused(moved, splat<V>(Case::time_step), load<V>(position + column)));
+    }
+    if constexpr (Particles<Case>::predicts) {
+      double* const last_kick = row_at<4>(particles.last_kick.row[base], offset);
+      if constexpr (step == 8)
+        store(last_kick, __builtin_shufflevector(kick, kick, 0, 1, 2, 3));
+      else if (translates)
+        store(last_kick + column, kick);
+    }
+    if constexpr (Case::has_gas && Case::energy_ledger)
+      watch.gas_work.part[p] = fused(gas, fused(splat<V>(-0.5), kick, moved), watch.gas_work.part[p]);
+  }
+}
+
+/// Adds what sparse contacts have given a particle, and clears it.
+template <class Case, int W>
+FIXDEM_INLINE void take_sum(
+    Real<Case>* sum, Lanes<motion_step<Case, W>> (&change)[Particles<Case>::motion_width / motion_step<Case, W>]) {
+  constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
+  for (int p = 0; p < width / step; ++p) {
+    if constexpr (is_mixed<Case>)
+      change[p] = change[p] + load_wide<step>(sum + p * step);
+    else
+      change[p] = change[p] + load<Lanes<step>>(sum + p * step);
+    store(sum + p * step, Lanes<step, Real<Case>>{});
+  }
+}
+
+/// Moves the `particles_in_bucket` particles of one bucket with k own and k incoming rows each. `sum`: of the chunk, or
+/// null where nothing is sparse.
+template <class Case, int W, int k, class Offset>
+FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bucket, int base, const Real<Case>* rows,
+                                        Real<Case>* sum, Particles<Case>& particles, MotionWatch<Case, W>& watch) {
+  constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   // Rows are found from their offsets alone: an address from a particle's number takes nine instructions more.
   for (int q = 0; q < particles_in_bucket; ++q, entry += 2 * k + 1) {
-    V change[width / step];
+    Lanes<step> change[width / step];
     const Offsets<2 * k + 1> at = load_offsets<2 * k + 1>(entry);
     sum_rows<Case, W, k>(at.value + 1, rows, change);
-    double* const motion = row_at<width>(particles.motion[base], at.value[0]);
-    double* const position = row_at<4>(particles.position[base], at.value[0]);
-    for (int p = 0; p < width / step; ++p) {
-      const int column = p * step;
-      const bool translates = column < 4;  // a part of rotation alone feels neither gravity nor gas
-      V kick = change[p];
-      if (translates) kick = kick + load<V>(gravity_kick + column);
-      [[maybe_unused]] V gas{};
-      if constexpr (Case::has_gas) {
-        const double* const by_gas = row_at<4>(particles.gas_kick.row[base], at.value[0]);
-        if constexpr (step == 8)
-          gas = __builtin_shufflevector(load<Half>(by_gas), -Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
-        else if (translates)
-          gas = load<V>(by_gas + column);
-        if (translates) kick = kick + gas;
-      }
-      const V moved = fused(load<V>(inertia + column), kick, load<V>(motion + column));
-      store(motion + column, moved);
-      if constexpr (is_mixed<Case>)
-        store_narrow<step>(row_at<width>(particles.motion_as_float.row[base], at.value[0]) + column, moved);
-      const V square = moved * moved;
-      if (translates) watch.motion_square.part[p] = max(square, watch.motion_square.part[p]);
-      watch.square_sum.part[p] = square + watch.square_sum.part[p];
-      if constexpr (step == 8) {
-        const Half velocity = __builtin_shufflevector(moved, moved, 0, 1, 2, 3);
-        store(position, fused(velocity, splat<Half>(Case::time_step), load<Half>(position)));
-      } else if (translates) {
-        store(position + column, fused(moved, splat<V>(Case::time_step), load<V>(position + column)));
-      }
-      if constexpr (Particles<Case>::predicts) {
-        double* const last_kick = row_at<4>(particles.last_kick.row[base], at.value[0]);
-        if constexpr (step == 8)
-          store(last_kick, __builtin_shufflevector(kick, kick, 0, 1, 2, 3));
-        else if (translates)
-          store(last_kick + column, kick);
-      }
-      if constexpr (Case::has_gas && Case::energy_ledger)
-        watch.gas_work.part[p] = fused(gas, fused(splat<V>(-0.5), kick, moved), watch.gas_work.part[p]);
-    }
+    if (sum != nullptr) take_sum<Case, W>(row_at<width>(sum, at.value[0]), change);
+    move_particle<Case, W>(at.value[0], change, base, particles, watch);
   }
   return entry;
 }
 
 template <class Case, int W, int k, class Offset>
 FIXDEM_INLINE void move_buckets_from(const Offset* entry, const int* bucket, int base, const Real<Case>* rows,
-                                     Particles<Case>& particles, MotionWatch<Case, W>& watch) {
-  entry = move_bucket<Case, W, k>(entry, bucket[k], base, rows, particles, watch);
+                                     Real<Case>* sum, Particles<Case>& particles, MotionWatch<Case, W>& watch) {
+  entry = move_bucket<Case, W, k>(entry, bucket[k], base, rows, sum, particles, watch);
   if constexpr (k < Contacts<Case>::max_slots)
-    move_buckets_from<Case, W, k + 1>(entry, bucket, base, rows, particles, watch);
+    move_buckets_from<Case, W, k + 1>(entry, bucket, base, rows, sum, particles, watch);
+}
+
+/// Moves all particles of a chunk whose contacts are all sparse.
+template <class Case, int W>
+FIXDEM_INLINE void move_by_sums(int particles_in_chunk, int base, Real<Case>* sum, Particles<Case>& particles,
+                                MotionWatch<Case, W>& watch) {
+  constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
+  for (int i = 0; i < particles_in_chunk; ++i) {
+    Lanes<step> change[width / step] = {};
+    take_sum<Case, W>(sum + i * width, change);
+    move_particle<Case, W>(static_cast<std::size_t>(8 * i), change, base, particles, watch);
+  }
 }
 
 }  // namespace detail
 
-/// Sums the rows of every particle of one chunk and moves it. `rows`: the ring of the step.
+/// Sums what the contacts of every particle of one chunk give it, and moves it. `rows`: the ring of the step.
 template <class Case, int W>
-void move(const Contacts<Case>& contacts, Particles<Case>& particles, int chunk, const Real<Case>* rows,
+void move(Contacts<Case>& contacts, Particles<Case>& particles, int chunk, const Real<Case>* rows,
           Watch<Case>& totals) {
+  const int base = chunk * Capacity<Case>::chunk_size;
   detail::MotionWatch<Case, W> watch(totals);
-  detail::move_buckets_from<Case, W, 0>(contacts.slots[chunk], contacts.bucket[chunk],
-                                        chunk * Capacity<Case>::chunk_size, rows, particles, watch);
+  if (contacts.has_rows[chunk])
+    detail::move_buckets_from<Case, W, 0>(contacts.slots[chunk], contacts.bucket[chunk], base, rows,
+                                          contacts.has_sums[chunk] ? contacts.sum[base] : nullptr, particles, watch);
+  else
+    detail::move_by_sums<Case, W>(particles_in<Case>(chunk), base, contacts.sum[base], particles, watch);
   watch.put_back(totals);
 }
 

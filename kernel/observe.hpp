@@ -52,8 +52,7 @@ struct Observed {
 /// One contact from its geometry and relative motion.
 template <class Case, bool is_wall>
 Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec3<double>& n,
-                               const Motion<double>& motion, const Real<Case> (*kept)[Capacity<Case>::batch],
-                               int lane) {
+                               const Motion<double>& motion, const HistoryNumbers<const Real<Case>>& kept) {
   using Law = ContactLaw<Case, is_wall>;
   constexpr double to_newton = 1 / Law::scale;
   const Springs<double> k = springs<Law, Case>(spring_base<Law, Case>(overlap));
@@ -68,7 +67,7 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
   seen.elastic = to_newton * share * k.repulsion * overlap;
   if constexpr (Derived<Case>::has_friction) {
     constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
-    const Vec3<double> spring = {kept[0][lane], kept[1][lane], kept[2][lane]};
+    const Vec3<double> spring = {kept[0], kept[1], kept[2]};
     const double to_force = keeps_displacement ? k.tangential_stiffness : 1;
     const Vec3<double> slip = add_scaled(surface, -normal_velocity, n);
     double eta = k.damping;
@@ -81,7 +80,7 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
     const double unit = keeps_displacement ? 1 : to_newton;
     Vec3<double> shown = spring;
     if constexpr (takes_impulses<Case>)  // half a step on, to the time that particle() shows and that a start takes
-      if (kept[Law::state_function_place][lane] > 0)
+      if (kept[Law::state_function_place] > 0)
         shown = add_scaled(spring, 0.5 * Case::time_step * (keeps_displacement ? 1 : k.tangential_stiffness), slip);
     c.history[0] = unit * shown.x, c.history[1] = unit * shown.y, c.history[2] = unit * shown.z;
     const double square = dot(spring, spring);
@@ -104,27 +103,26 @@ template <class Case, class F>
 void for_each_observed(const State<Case>& s, F&& f) {
   const Particles<Case>& p = s.particles;
   const Contacts<Case>& contacts = s.contacts;
-  for_each_near_pair(contacts, [&](int batch, int lane, int i, int j) {
+  for_each_near_pair(contacts, [&](int range, int k, int i, int j) {
     Vec3<double> r = {p.position[j][0] - p.position[i][0], p.position[j][1] - p.position[i][1],
                       p.position[j][2] - p.position[i][2]};
     if constexpr (Derived<Case>::is_periodic)
-      if (batch >= PairBatches<Case>::first(Capacity<Case>::chunks)) r.z -= Case::pipe_length;
+      if (range == Capacity<Case>::chunks) r.z -= Case::pipe_length;
     const double distance = sqrt(dot(r, r));
     const double overlap = Case::diameter - distance;
     if (!(overlap > 0)) return;
     const Motion<double> a = motion_of(p, i), b = motion_of(p, j);
     const Motion<double> m = {{a.velocity.x - b.velocity.x, a.velocity.y - b.velocity.y, a.velocity.z - b.velocity.z},
                               {a.spin.x + b.spin.x, a.spin.y + b.spin.y, a.spin.z + b.spin.z}};
-    const auto* kept = history_of<Case, ContactLaw<Case, false>::history_size>(contacts.pairs, batch);
-    f(observe_contact<Case, false>(p.id[i], p.id[j], overlap, scale(1 / distance, r), m, kept, lane));
+    f(observe_contact<Case, false>(p.id[i], p.id[j], overlap, scale(1 / distance, r), m,
+                                   contacts.pairs.history_of(range, k)));
   });
   const auto see_walls = [&](const auto& walls, auto surface, auto name) {
-    for_each_near_wall<Case>(walls, [&](int batch, int lane, int i) {
+    for_each_near_wall<Case>(walls, [&](int chunk, int k, int i) {
       Vec3<double> n;
       const double overlap = surface(p.position[i], n);
       if (!(overlap > 0)) return;
-      const auto* kept = history_of<Case, ContactLaw<Case, true>::history_size>(walls, batch);
-      f(observe_contact<Case, true>(p.id[i], name(n), overlap, n, motion_of(p, i), kept, lane));
+      f(observe_contact<Case, true>(p.id[i], name(n), overlap, n, motion_of(p, i), walls.history_of(chunk, k)));
     });
   };
   if constexpr (Case::has_wall)

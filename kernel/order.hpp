@@ -1,15 +1,15 @@
-// Order along the pipe: periodic wrap and renumbering of the particles by z.
+// Order of the particles: periodic wrap, and renumbering by cells.
 //
-// Neighbours in space become neighbours in memory. The order is total (z, then input number), so it does not depend on
-// how it was reached. Shell sort from a wide gap for an arrangement in any order; one insertion pass for the almost
-// sorted sequence of a running simulation. Rows move whole; nothing is allocated.
+// Neighbours in space become neighbours in memory: cells are numbered slab by slab along the pipe, in a slab by y and
+// then x, and particles by cell, in a cell by input number. So the order is that of the places alone. A counting sort;
+// rows then move once each, along the cycles of the permutation. Nothing is allocated.
 #pragma once
 
-#include "particles.hpp"
+#include "near_list.hpp"
 
 namespace fixdem {
 
-/// Periods from the pipe beyond which a place is refused: it takes a broken state to get there between two renewals.
+/// Periods from the pipe beyond which a place is refused: it takes a broken state to get there between two sorts.
 inline constexpr double farthest_place = 1000;
 
 /// Brings z into [0, length) of a periodic pipe and counts the crossings.
@@ -24,38 +24,71 @@ void wrap_into_pipe(Particles<Case>& particles) {
 
 namespace detail {
 
-template <class T>
-void exchange(T& a, T& b) {
-  const T kept = a;
-  a = b;
-  b = kept;
+/// Cell of a place; outside the pipe, the nearest one at its surface.
+template <class Case>
+int cell_at(const double* x) {
+  using C = Cells<Case>;
+  const auto part = [](double from_start, double length, int cells) {
+    const double n = from_start * (cells / length);
+    return n < 1 ? 0 : (n < cells - 1 ? static_cast<int>(n) : cells - 1);
+  };
+  const int ix = part(x[0] + C::width / 2, C::width, C::across), iy = part(x[1] + C::width / 2, C::width, C::across);
+  return (part(x[2], Case::pipe_length, C::along) * C::across + iy) * C::across + ix;
 }
 
+/// All that is renumbered of a particle, except the copy of its motion in floats.
 template <class Case>
-void exchange_particles(Particles<Case>& p, int a, int b) {
-  for (int c = 0; c < 4; ++c) exchange(p.position[a][c], p.position[b][c]);
-  for (int c = 0; c < Particles<Case>::motion_width; ++c) exchange(p.motion[a][c], p.motion[b][c]);
-  if constexpr (Particles<Case>::predicts)
-    for (int c = 0; c < 4; ++c) exchange(p.last_kick.row[a][c], p.last_kick.row[b][c]);
-  if constexpr (Case::has_gas)
-    for (int c = 0; c < 4; ++c) exchange(p.gas_kick.row[a][c], p.gas_kick.row[b][c]);
-  exchange(p.id[a], p.id[b]);
-  exchange(p.image[a], p.image[b]);
-}
+struct WholeParticle {
+  static constexpr int width = Particles<Case>::motion_width;
+  double position[4], motion[width], last_kick[4], gas_kick[4];
+  int id, image;
+
+  WholeParticle(const Particles<Case>& p, int i) : id(p.id[i]), image(p.image[i]) {
+    __builtin_memcpy(position, p.position[i], sizeof position);
+    __builtin_memcpy(motion, p.motion[i], sizeof motion);
+    if constexpr (Particles<Case>::predicts) __builtin_memcpy(last_kick, p.last_kick.row[i], sizeof last_kick);
+    if constexpr (Case::has_gas) __builtin_memcpy(gas_kick, p.gas_kick.row[i], sizeof gas_kick);
+  }
+  void put(Particles<Case>& p, int i) const {
+    __builtin_memcpy(p.position[i], position, sizeof position);
+    __builtin_memcpy(p.motion[i], motion, sizeof motion);
+    if constexpr (Particles<Case>::predicts) __builtin_memcpy(p.last_kick.row[i], last_kick, sizeof last_kick);
+    if constexpr (Case::has_gas) __builtin_memcpy(p.gas_kick.row[i], gas_kick, sizeof gas_kick);
+    p.id[i] = id, p.image[i] = image;
+  }
+};
 
 }  // namespace detail
 
-/// Renumbers by (z, id). `first_gap`: 1 when almost sorted, the particle count for any order.
+/// Renumbers by (cell, input number).
 template <class Case>
-void sort_along_pipe(Particles<Case>& particles, int first_gap) {
-  const auto before = [&](int a, int b) {
-    const double za = particles.position[a][2], zb = particles.position[b][2];
-    return za != zb ? za < zb : particles.id[a] < particles.id[b];
-  };
-  for (int gap = first_gap;; gap = gap * 4 / 9 > 1 ? gap * 4 / 9 : 1) {
-    for (int i = gap; i < Case::particle_count; ++i)
-      for (int j = i; j >= gap && before(j, j - gap); j -= gap) detail::exchange_particles(particles, j, j - gap);
-    if (gap == 1) return;
+void sort_by_cell(OuterList<Case>& outer, SortScratch<Case>& scratch, Particles<Case>& p) {
+  constexpr int count = Case::particle_count, cells = Cells<Case>::count;
+  int *start = outer.cell_start, *source = scratch.source;
+  for (int c = 0; c <= cells; ++c) start[c] = 0;
+  for (int i = 0; i < count; ++i) ++start[detail::cell_at<Case>(p.position[i]) + 1];
+  for (int c = 0; c < cells; ++c) start[c + 1] += start[c];
+  for (int i = 0; i < count; ++i) source[start[detail::cell_at<Case>(p.position[i])]++] = i;
+  for (int c = cells; c > 0; --c) start[c] = start[c - 1];
+  start[0] = 0;
+  for (int c = 0; c < cells; ++c)
+    for (int i = start[c] + 1; i < start[c + 1]; ++i) {
+      const int moved = source[i];
+      int j = i;
+      for (; j > start[c] && p.id[moved] < p.id[source[j - 1]]; --j) source[j] = source[j - 1];
+      source[j] = moved;
+    }
+  for (int first = 0; count > 1 && first < count; ++first) {
+    if (source[first] == first) continue;
+    const detail::WholeParticle<Case> kept(p, first);
+    int i = first;
+    for (int from = source[i]; from != first; from = source[i]) {
+      detail::WholeParticle<Case>(p, from).put(p, i);
+      source[i] = i;
+      i = from;
+    }
+    kept.put(p, i);
+    source[i] = i;
   }
 }
 

@@ -21,14 +21,18 @@ struct PairSide {
   const double *owner_kick = nullptr, *partner_kick = nullptr;
   double shift;  ///< of the partner along z
 
-  PairSide(const Particles<Case>& particles, int range) {
-    const PairRange<Case> at(range);
-    owner_position = particles.position[at.owner_base], partner_position = particles.position[at.partner_base];
-    owner_motion = particles.looked_up_motion(at.owner_base);
-    partner_motion = particles.looked_up_motion(at.partner_base);
+  /// Owners and partners count from the bases of the range.
+  PairSide(const Particles<Case>& particles, const PairRange<Case>& at)
+      : PairSide(particles, at.owner_base, at.partner_base, at.shift) {}
+
+  PairSide(const Particles<Case>& particles, int owner_base, int partner_base, double partner_shift)
+      : owner_position(particles.position[owner_base]),
+        partner_position(particles.position[partner_base]),
+        owner_motion(particles.looked_up_motion(owner_base)),
+        partner_motion(particles.looked_up_motion(partner_base)),
+        shift(partner_shift) {
     if constexpr (Particles<Case>::predicts)
-      owner_kick = particles.last_kick.row[at.owner_base], partner_kick = particles.last_kick.row[at.partner_base];
-    shift = at.shift;
+      owner_kick = particles.last_kick.row[owner_base], partner_kick = particles.last_kick.row[partner_base];
   }
 
   /// From owner to partner. Measure: square of the distance; mixed: d^2 less that.
@@ -101,18 +105,31 @@ struct PairSide {
   }
 };
 
-/// Force rows of range `range` of the near pairs, written from `rows` on. `W`: doubles per register; `are_still`: see
+/// Force rows of a dense range of the near pairs, written from `rows` on. `W`: doubles per register; `are_still`: see
 /// dense_contacts.
 template <class Case, int W>
-void pair_contacts(PairBatches<Case>& pairs, const Particles<Case>& particles, int range, bool are_still,
-                   Real<Case>* rows, Watch<Case>& watch) {
-  constexpr int lanes = contact_lanes<Case, W>;
-  const PairSide<Case> side(particles, range);
-  const int first = PairBatches<Case>::first(range);
-  if (pairs.sparse[range])
-    sparse_contacts<Case, lanes>(side, pairs, first, pairs.count[range], rows, watch);
-  else
-    dense_contacts<Case, lanes>(side, pairs, first, pairs.count[range], are_still, rows, watch);
+void dense_pairs(PairBatches<Case>& pairs, const Particles<Case>& particles, int range, bool are_still,
+                 Real<Case>* rows, Watch<Case>& watch) {
+  const PairSide<Case> side(particles, PairRange<Case>(range));
+  dense_contacts<Case, contact_lanes<Case, W>>(side, pairs, PairBatches<Case>::first(range), pairs.count[range],
+                                               are_still, rows, watch);
+}
+
+/// Contacts of the sparse ranges from `begin` to `end` of the near pairs, added to the sums of their particles, or put
+/// into `later` if that is not null.
+template <class Case, int W>
+void sparse_pairs(Contacts<Case>& contacts, const Particles<Case>& particles, int begin, int end, Watch<Case>* watch,
+                  const RowsForLater<Case>* later) {
+  using Side = PairSide<Case>;
+  const Side all(particles, 0, 0, PairRange<Case>(begin).shift);
+  SparseContacts<Case, contact_lanes<Case, W>, Side, PairBatches<Case>> sparse(all, contacts.pairs, contacts.sum[0],
+                                                                               watch, later);
+  for (int range = begin; range < end; ++range) {
+    if (!contacts.pairs.sparse[range]) continue;
+    const PairRange<Case> at(range);
+    sparse.look_at(Side(particles, at), range, at.owner_base, at.partner_base);
+  }
+  sparse.compute();
 }
 
 }  // namespace fixdem

@@ -1,9 +1,9 @@
 // Transposition between W rows of doubles and lanes.
 //
-// `vectors(row)` takes rows of 4, `motions(row)` rows of 8; `row(k, column)` yields the part of row k that begins at
-// that column, and `Part` (`MotionPart`) says how much of it: what fits a register, or one number for one lane. Pads
-// are dropped. `store_rows` writes row k from lane k, pads zero. One specialisation for each width, present only where
-// the instruction set has it.
+// `columns(row)` takes rows of 4, `motions(row)` rows of 8, whose pads are dropped; `row(k, column)` yields the part of
+// row k that begins at that column, and `Part` (`MotionPart`) says how much of it: what fits a register, or one number
+// for one lane. `store_rows` writes row k from lane k. One specialisation for each width, present only where the
+// instruction set has it.
 #pragma once
 
 #include "lanes.hpp"
@@ -23,9 +23,19 @@ struct Motion {
 template <int W, class T = double>
 struct RowLanes;
 
+/// Rows of 4 that are a vector and a pad.
+template <int W, class T>
+struct VectorRows {
+  template <class Row>
+  static FIXDEM_INLINE Vec3<Lanes<W, T>> vectors(Row&& row) {
+    const Vec4<Lanes<W, T>> c = RowLanes<W, T>::columns(row);
+    return {c.x, c.y, c.z};
+  }
+};
+
 /// Motions where a row of 8 takes more than one register: two halves, each transposed as a row of 4.
 template <int W, class T>
-struct MotionsByHalves {
+struct MotionsByHalves : VectorRows<W, T> {
   template <class Row>
   static FIXDEM_INLINE Motion<Lanes<W, T>> motions(Row&& row) {
     using Rows = RowLanes<W, T>;
@@ -39,13 +49,13 @@ struct RowLanes<1, T> : MotionsByHalves<1, T> {
   using Part = T;
   using MotionPart = T;
   template <class Row>
-  static FIXDEM_INLINE Vec3<T> vectors(Row&& row) {
-    return {row(0, 0), row(0, 1), row(0, 2)};
+  static FIXDEM_INLINE Vec4<T> columns(Row&& row) {
+    return {row(0, 0), row(0, 1), row(0, 2), row(0, 3)};
   }
-  static FIXDEM_INLINE void store_rows(T* row, const Vec3<T>& a) {
-    row[0] = a.x, row[1] = a.y, row[2] = a.z, row[3] = 0;
+  static FIXDEM_INLINE void store_rows(T* row, const Vec4<T>& a) {
+    row[0] = a.x, row[1] = a.y, row[2] = a.z, row[3] = a.w;
   }
-  static FIXDEM_INLINE void store_rows(T* rows, const Vec3<T>& a, const Vec3<T>& b) {
+  static FIXDEM_INLINE void store_rows(T* rows, const Vec4<T>& a, const Vec4<T>& b) {
     store_rows(rows, a);
     store_rows(rows + 4, b);
   }
@@ -57,18 +67,18 @@ struct RowLanes<2> : MotionsByHalves<2, double> {
   using Part = Lanes2;
   using MotionPart = Lanes2;
   template <class Row>
-  static FIXDEM_INLINE Vec3<Lanes2> vectors(Row&& row) {
-    const Lanes2 xy0 = row(0, 0), xy1 = row(1, 0), z0 = row(0, 2), z1 = row(1, 2);
+  static FIXDEM_INLINE Vec4<Lanes2> columns(Row&& row) {
+    const Lanes2 xy0 = row(0, 0), xy1 = row(1, 0), zw0 = row(0, 2), zw1 = row(1, 2);
     return {__builtin_shufflevector(xy0, xy1, 0, 2), __builtin_shufflevector(xy0, xy1, 1, 3),
-            __builtin_shufflevector(z0, z1, 0, 2)};
+            __builtin_shufflevector(zw0, zw1, 0, 2), __builtin_shufflevector(zw0, zw1, 1, 3)};
   }
-  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<Lanes2>& a, int stride = 4) {
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec4<Lanes2>& a, int stride = 4) {
     store(rows, __builtin_shufflevector(a.x, a.y, 0, 2));
-    store(rows + 2, __builtin_shufflevector(a.z, Lanes2{}, 0, 2));
+    store(rows + 2, __builtin_shufflevector(a.z, a.w, 0, 2));
     store(rows + stride, __builtin_shufflevector(a.x, a.y, 1, 3));
-    store(rows + stride + 2, __builtin_shufflevector(a.z, Lanes2{}, 1, 2));
+    store(rows + stride + 2, __builtin_shufflevector(a.z, a.w, 1, 3));
   }
-  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<Lanes2>& a, const Vec3<Lanes2>& b) {
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec4<Lanes2>& a, const Vec4<Lanes2>& b) {
     store_rows(rows, a, 8);
     store_rows(rows + 4, b, 8);
   }
@@ -80,28 +90,27 @@ template <>
 struct RowLanes<4> : MotionsByHalves<4, double> {
   using Part = Lanes4;
   using MotionPart = Lanes4;
-  /// Four rows of 4 into three vectors; the pads are dropped.
   template <class Row>
-  static FIXDEM_INLINE Vec3<Lanes4> vectors(Row&& row) {
+  static FIXDEM_INLINE Vec4<Lanes4> columns(Row&& row) {
     const Lanes4 r0 = row(0, 0), r1 = row(1, 0), r2 = row(2, 0), r3 = row(3, 0);
     const Lanes4 low01 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);  // x0 x1 z0 z1
     const Lanes4 low23 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6);
-    const Lanes4 high01 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);  // y0 y1, pads
+    const Lanes4 high01 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);  // y0 y1 w0 w1
     const Lanes4 high23 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
     return {__builtin_shufflevector(low01, low23, 0, 1, 4, 5), __builtin_shufflevector(high01, high23, 0, 1, 4, 5),
-            __builtin_shufflevector(low01, low23, 2, 3, 6, 7)};
+            __builtin_shufflevector(low01, low23, 2, 3, 6, 7), __builtin_shufflevector(high01, high23, 2, 3, 6, 7)};
   }
-  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<Lanes4>& a, int stride = 4) {
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec4<Lanes4>& a, int stride = 4) {
     const Lanes4 low = __builtin_shufflevector(a.x, a.y, 0, 4, 2, 6);   // x0 y0 x2 y2
     const Lanes4 high = __builtin_shufflevector(a.x, a.y, 1, 5, 3, 7);  // x1 y1 x3 y3
-    const Lanes4 even = __builtin_shufflevector(a.z, Lanes4{}, 0, 4, 2, 6);
-    const Lanes4 odd = __builtin_shufflevector(a.z, Lanes4{}, 1, 5, 3, 7);
+    const Lanes4 even = __builtin_shufflevector(a.z, a.w, 0, 4, 2, 6);
+    const Lanes4 odd = __builtin_shufflevector(a.z, a.w, 1, 5, 3, 7);
     store(rows, __builtin_shufflevector(low, even, 0, 1, 4, 5));
     store(rows + stride, __builtin_shufflevector(high, odd, 0, 1, 4, 5));
     store(rows + 2 * stride, __builtin_shufflevector(low, even, 2, 3, 6, 7));
     store(rows + 3 * stride, __builtin_shufflevector(high, odd, 2, 3, 6, 7));
   }
-  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<Lanes4>& a, const Vec3<Lanes4>& b) {
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec4<Lanes4>& a, const Vec4<Lanes4>& b) {
     store_rows(rows, a, 8);
     store_rows(rows + 4, b, 8);
   }
@@ -110,7 +119,7 @@ struct RowLanes<4> : MotionsByHalves<4, double> {
 
 #if FIXDEM_WIDEST_LANES >= 8
 template <>
-struct RowLanes<8> {
+struct RowLanes<8> : VectorRows<8, double> {
   using Part = Lanes4;
   using MotionPart = Lanes8;
   static FIXDEM_INLINE Lanes8 low_of_pairs(Lanes8 a, Lanes8 b) {
@@ -128,13 +137,14 @@ struct RowLanes<8> {
 
   /// Two rows of 4 side by side.
   static FIXDEM_INLINE Lanes8 two(const double* a, const double* b) { return join(load<Lanes4>(a), load<Lanes4>(b)); }
-  /// Eight rows of 4 into three vectors; the pads are dropped. `rows(k, l)`: rows k and l side by side.
+  /// Eight rows of 4. `rows(k, l)`: rows k and l side by side.
   template <class TwoRows>
-  static FIXDEM_INLINE Vec3<Lanes8> vectors(TwoRows&& rows) {
+  static FIXDEM_INLINE Vec4<Lanes8> columns(TwoRows&& rows) {
     const Lanes8 r02 = rows(0, 2), r13 = rows(1, 3), r46 = rows(4, 6), r57 = rows(5, 7);
     const Lanes8 low_a = low_of_pairs(r02, r13), low_b = low_of_pairs(r46, r57);  // x0 x1 z0 z1 x2 x3 z2 z3
-    return {even_blocks(low_a, low_b), even_blocks(high_of_pairs(r02, r13), high_of_pairs(r46, r57)),
-            odd_blocks(low_a, low_b)};
+    const Lanes8 high_a = high_of_pairs(r02, r13), high_b = high_of_pairs(r46, r57);
+    return {even_blocks(low_a, low_b), even_blocks(high_a, high_b), odd_blocks(low_a, low_b),
+            odd_blocks(high_a, high_b)};
   }
 
   /// Eight rows of 8 into six vectors; the pads (columns 3 and 7) are dropped.
@@ -152,9 +162,9 @@ struct RowLanes<8> {
             {odd_blocks(x_a, x_b), odd_blocks(y_a, y_b), odd_blocks(z_a, z_b)}};
   }
 
-  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<Lanes8>& a) {
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec4<Lanes8>& a) {
     const Lanes8 low = low_of_pairs(a.x, a.y), high = high_of_pairs(a.x, a.y);  // x0 y0 x2 y2 .. | x1 y1 x3 y3 ..
-    const Lanes8 low_z = low_of_pairs(a.z, Lanes8{}), high_z = high_of_pairs(a.z, Lanes8{});
+    const Lanes8 low_z = low_of_pairs(a.z, a.w), high_z = high_of_pairs(a.z, a.w);
     const Lanes8 rows_04 = even_blocks(low, low_z), rows_26 = odd_blocks(low, low_z);
     const Lanes8 rows_15 = even_blocks(high, high_z), rows_37 = odd_blocks(high, high_z);
     store(rows, even_blocks(rows_04, rows_15));
@@ -163,10 +173,10 @@ struct RowLanes<8> {
     store(rows + 24, odd_blocks(rows_26, rows_37));
   }
 
-  static FIXDEM_INLINE void store_rows(double* rows, const Vec3<Lanes8>& a, const Vec3<Lanes8>& b) {
-    const auto half = [](const Vec3<Lanes8>& v, Lanes8& r04, Lanes8& r26, Lanes8& r15, Lanes8& r37) {
-      const Lanes8 low = low_of_pairs(v.x, v.y), low_z = low_of_pairs(v.z, Lanes8{});
-      const Lanes8 high = high_of_pairs(v.x, v.y), high_z = high_of_pairs(v.z, Lanes8{});
+  static FIXDEM_INLINE void store_rows(double* rows, const Vec4<Lanes8>& a, const Vec4<Lanes8>& b) {
+    const auto half = [](const Vec4<Lanes8>& v, Lanes8& r04, Lanes8& r26, Lanes8& r15, Lanes8& r37) {
+      const Lanes8 low = low_of_pairs(v.x, v.y), low_z = low_of_pairs(v.z, v.w);
+      const Lanes8 high = high_of_pairs(v.x, v.y), high_z = high_of_pairs(v.z, v.w);
       r04 = even_blocks(low, low_z), r26 = odd_blocks(low, low_z);
       r15 = even_blocks(high, high_z), r37 = odd_blocks(high, high_z);
     };

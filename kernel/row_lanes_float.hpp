@@ -42,19 +42,20 @@ struct FloatBlocks {
   static FIXDEM_INLINE V low(V a, V b) { return interleave<0>(a, b, Lane{}); }
   static FIXDEM_INLINE V high(V a, V b) { return interleave<2>(a, b, Lane{}); }
 
-  /// Blocks of rows x y z pad into x, y and z.
-  static FIXDEM_INLINE Vec3<V> columns(V r0, V r1, V r2, V r3) {
-    const V xy01 = low(r0, r1), xy23 = low(r2, r3), z01 = high(r0, r1), z23 = high(r2, r3);
-    return {join<0>(xy01, xy23, Lane{}), join<2>(xy01, xy23, Lane{}), join<0>(z01, z23, Lane{})};
+  /// Blocks of rows x y z w into x, y, z and w.
+  static FIXDEM_INLINE Vec4<V> columns(V r0, V r1, V r2, V r3) {
+    const V xy01 = low(r0, r1), xy23 = low(r2, r3), zw01 = high(r0, r1), zw23 = high(r2, r3);
+    return {join<0>(xy01, xy23, Lane{}), join<2>(xy01, xy23, Lane{}), join<0>(zw01, zw23, Lane{}),
+            join<2>(zw01, zw23, Lane{})};
   }
   /// The other way; register k holds row k in its first block, row k + 4 in the second.
   struct Square {
     V row[4];
   };
-  static FIXDEM_INLINE Square rows(const Vec3<V>& a) {
-    const V xy01 = low(a.x, a.y), xy23 = high(a.x, a.y), z01 = low(a.z, V{}), z23 = high(a.z, V{});
-    return {{join<0>(xy01, z01, Lane{}), join<2>(xy01, z01, Lane{}), join<0>(xy23, z23, Lane{}),
-             join<2>(xy23, z23, Lane{})}};
+  static FIXDEM_INLINE Square rows(const Vec4<V>& a) {
+    const V xy01 = low(a.x, a.y), xy23 = high(a.x, a.y), zw01 = low(a.z, a.w), zw23 = high(a.z, a.w);
+    return {{join<0>(xy01, zw01, Lane{}), join<2>(xy01, zw01, Lane{}), join<0>(xy23, zw23, Lane{}),
+             join<2>(xy23, zw23, Lane{})}};
   }
 };
 
@@ -63,14 +64,14 @@ struct RowLanes<4, float> : MotionsByHalves<4, float> {
   using Part = Floats4;
   using MotionPart = Floats4;
   template <class Row>
-  static FIXDEM_INLINE Vec3<Floats4> vectors(Row&& row) {
+  static FIXDEM_INLINE Vec4<Floats4> columns(Row&& row) {
     return FloatBlocks<4>::columns(row(0, 0), row(1, 0), row(2, 0), row(3, 0));
   }
-  static FIXDEM_INLINE void store_rows(float* rows, const Vec3<Floats4>& a, int stride = 4) {
+  static FIXDEM_INLINE void store_rows(float* rows, const Vec4<Floats4>& a, int stride = 4) {
     const auto square = FloatBlocks<4>::rows(a);
     for (int k = 0; k < 4; ++k) store(rows + k * stride, square.row[k]);
   }
-  static FIXDEM_INLINE void store_rows(float* rows, const Vec3<Floats4>& a, const Vec3<Floats4>& b) {
+  static FIXDEM_INLINE void store_rows(float* rows, const Vec4<Floats4>& a, const Vec4<Floats4>& b) {
     store_rows(rows, a, 8);
     store_rows(rows + 4, b, 8);
   }
@@ -79,7 +80,7 @@ struct RowLanes<4, float> : MotionsByHalves<4, float> {
 
 #if FIXDEM_WIDEST_LANES >= 4
 template <>
-struct RowLanes<8, float> {
+struct RowLanes<8, float> : VectorRows<8, float> {
   using Part = Floats4;
   using MotionPart = Floats8;
   static FIXDEM_INLINE Floats8 pair(Floats4 a, Floats4 b) {
@@ -93,26 +94,26 @@ struct RowLanes<8, float> {
   }
 
   template <class Row>
-  static FIXDEM_INLINE Vec3<Floats8> vectors(Row&& row) {
+  static FIXDEM_INLINE Vec4<Floats8> columns(Row&& row) {
     return FloatBlocks<8>::columns(pair(row(0, 0), row(4, 0)), pair(row(1, 0), row(5, 0)), pair(row(2, 0), row(6, 0)),
                                    pair(row(3, 0), row(7, 0)));
   }
   /// A row is velocity in the first block and spin in the second, so each square below holds both, of four rows.
   template <class Row>
   static FIXDEM_INLINE Motion<Floats8> motions(Row&& row) {
-    const Vec3<Floats8> a = FloatBlocks<8>::columns(row(0, 0), row(1, 0), row(2, 0), row(3, 0));
-    const Vec3<Floats8> b = FloatBlocks<8>::columns(row(4, 0), row(5, 0), row(6, 0), row(7, 0));
+    const Vec4<Floats8> a = FloatBlocks<8>::columns(row(0, 0), row(1, 0), row(2, 0), row(3, 0));
+    const Vec4<Floats8> b = FloatBlocks<8>::columns(row(4, 0), row(5, 0), row(6, 0), row(7, 0));
     return {{first_blocks(a.x, b.x), first_blocks(a.y, b.y), first_blocks(a.z, b.z)},
             {second_blocks(a.x, b.x), second_blocks(a.y, b.y), second_blocks(a.z, b.z)}};
   }
-  static FIXDEM_INLINE void store_rows(float* rows, const Vec3<Floats8>& a) {
+  static FIXDEM_INLINE void store_rows(float* rows, const Vec4<Floats8>& a) {
     const auto square = FloatBlocks<8>::rows(a);
     for (int k = 0; k < 4; k += 2) {
       store(rows + 4 * k, first_blocks(square.row[k], square.row[k + 1]));
       store(rows + 4 * k + 16, second_blocks(square.row[k], square.row[k + 1]));
     }
   }
-  static FIXDEM_INLINE void store_rows(float* rows, const Vec3<Floats8>& a, const Vec3<Floats8>& b) {
+  static FIXDEM_INLINE void store_rows(float* rows, const Vec4<Floats8>& a, const Vec4<Floats8>& b) {
     const auto left = FloatBlocks<8>::rows(a), right = FloatBlocks<8>::rows(b);
     for (int k = 0; k < 4; ++k) {
       store(rows + 8 * k, first_blocks(left.row[k], right.row[k]));
@@ -124,7 +125,7 @@ struct RowLanes<8, float> {
 
 #if FIXDEM_WIDEST_LANES >= 8
 template <>
-struct RowLanes<16, float> {
+struct RowLanes<16, float> : VectorRows<16, float> {
   using Part = Floats4;
   using MotionPart = Floats8;
   static FIXDEM_INLINE Floats16 pair(Floats8 a, Floats8 b) {
@@ -139,7 +140,7 @@ struct RowLanes<16, float> {
   }
 
   template <class Row>
-  static FIXDEM_INLINE Vec3<Floats16> vectors(Row&& row) {
+  static FIXDEM_INLINE Vec4<Floats16> columns(Row&& row) {
     const auto four = [&](int k) FIXDEM_INLINE_LAMBDA {
       using Rows8 = RowLanes<8, float>;
       return pair(Rows8::pair(row(k, 0), row(k + 4, 0)), Rows8::pair(row(k + 8, 0), row(k + 12, 0)));
@@ -150,13 +151,13 @@ struct RowLanes<16, float> {
   template <class Row>
   static FIXDEM_INLINE Motion<Floats16> motions(Row&& row) {
     const auto two = [&](int k) FIXDEM_INLINE_LAMBDA { return pair(row(k, 0), row(k + 4, 0)); };
-    const Vec3<Floats16> a = FloatBlocks<16>::columns(two(0), two(1), two(2), two(3));
-    const Vec3<Floats16> b = FloatBlocks<16>::columns(two(8), two(9), two(10), two(11));
+    const Vec4<Floats16> a = FloatBlocks<16>::columns(two(0), two(1), two(2), two(3));
+    const Vec4<Floats16> b = FloatBlocks<16>::columns(two(8), two(9), two(10), two(11));
     return {{blocks<0, 2>(a.x, b.x), blocks<0, 2>(a.y, b.y), blocks<0, 2>(a.z, b.z)},
             {blocks<1, 3>(a.x, b.x), blocks<1, 3>(a.y, b.y), blocks<1, 3>(a.z, b.z)}};
   }
   /// Rows 4 b to 4 b + 3 are block b of the four registers.
-  static FIXDEM_INLINE void store_rows(float* rows, const Vec3<Floats16>& a) {
+  static FIXDEM_INLINE void store_rows(float* rows, const Vec4<Floats16>& a) {
     const auto square = FloatBlocks<16>::rows(a);
     const Floats16 even01 = blocks<0, 2>(square.row[0], square.row[1]),
                    odd01 = blocks<1, 3>(square.row[0], square.row[1]);
@@ -167,7 +168,7 @@ struct RowLanes<16, float> {
     store(rows + 32, blocks<1, 3>(even01, even23));
     store(rows + 48, blocks<1, 3>(odd01, odd23));
   }
-  static FIXDEM_INLINE void store_rows(float* rows, const Vec3<Floats16>& a, const Vec3<Floats16>& b) {
+  static FIXDEM_INLINE void store_rows(float* rows, const Vec4<Floats16>& a, const Vec4<Floats16>& b) {
     const auto left = FloatBlocks<16>::rows(a), right = FloatBlocks<16>::rows(b);
     for (int k = 0; k < 4; k += 2) {
       // Blocks of `first`: left and right halves of rows k and k + 8; of `second`: of rows k + 1 and k + 9; and so on.

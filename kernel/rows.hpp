@@ -20,10 +20,10 @@ namespace fixdem {
 template <int rows>
 using RowOffset = std::conditional_t<(rows <= 8192), std::uint16_t, std::uint32_t>;
 
-/// The row of an array with rows of 4 or 8 doubles or floats.
+/// The row of an array with rows of 4 or 8 doubles or floats, or more of them.
 template <int Width, class T, class Offset>
 FIXDEM_INLINE T* row_at(T* rows, Offset offset) {
-  static_assert(Width == 4 || Width == 8);
+  static_assert(Width % 4 == 0);
   using Byte = std::conditional_t<std::is_const_v<T>, const char, char>;
   return reinterpret_cast<T*>(reinterpret_cast<Byte*>(rows) + Width * sizeof(T) / 8 * std::size_t{offset});
 }
@@ -55,18 +55,33 @@ FIXDEM_INLINE Offsets<Count> load_offsets(const Offset* from) {
 template <int W, class T>
 inline constexpr bool joins_rows = W == 8 && sizeof(T) == sizeof(double);
 
+/// Four columns of the rows `offset` of an array with rows of `Width`.
+template <int W, int Width = 4, class T, class Offset>
+FIXDEM_INLINE Vec4<Lanes<W, T>> load_columns(const T* rows, const Offset* offset) {
+  using Rows = RowLanes<W, T>;
+  if constexpr (joins_rows<W, T>)
+    return Rows::columns([&](int k, int l) FIXDEM_INLINE_LAMBDA {
+      return Rows::two(row_at<Width>(rows, offset[k]), row_at<Width>(rows, offset[l]));
+    });
+  else
+    return Rows::columns([&](int k, int column) FIXDEM_INLINE_LAMBDA {
+      return load<typename Rows::Part>(row_at<Width>(rows, offset[k]) + column);
+    });
+}
+
+/// The other way.
+template <int W, int Width = 4, class T, class Offset>
+FIXDEM_INLINE void store_columns(T* rows, const Offset* offset, const Vec4<Lanes<W, T>>& a) {
+  alignas(64) T row[W][4];
+  RowLanes<W, T>::store_rows(row[0], a);
+  for (int k = 0; k < W; ++k) __builtin_memcpy(row_at<Width>(rows, offset[k]), row[k], sizeof row[k]);
+}
+
 /// Vectors of the rows `offset` of an array with rows of 4.
 template <int W, class T, class Offset>
 FIXDEM_INLINE Vec3<Lanes<W, T>> load_vectors(const T* rows, const Offset* offset) {
-  using Rows = RowLanes<W, T>;
-  if constexpr (joins_rows<W, T>)
-    return Rows::vectors([&](int k, int l) FIXDEM_INLINE_LAMBDA {
-      return Rows::two(row_at<4>(rows, offset[k]), row_at<4>(rows, offset[l]));
-    });
-  else
-    return Rows::vectors([&](int k, int column) FIXDEM_INLINE_LAMBDA {
-      return load<typename Rows::Part>(row_at<4>(rows, offset[k]) + column);
-    });
+  const Vec4<Lanes<W, T>> a = load_columns<W>(rows, offset);
+  return {a.x, a.y, a.z};
 }
 
 /// Vectors a - b of two sets of rows of 4.

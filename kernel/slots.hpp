@@ -1,24 +1,30 @@
 // Slot lists: which force rows each particle of a chunk adds and subtracts.
 //
-// Made from the batches of the chunk itself, of its predecessor (whose pairs reach into it) and of the periodic ends.
-// Rows are named by offsets into the ring of a step: those of the chunk's pairs come first, then its walls. Particles
-// are bucketed by the greater of their own and incoming rows, short ones first, so that the loop over a bucket
-// (motion.hpp) has a fixed length; what is missing is padded with the row of zeros.
+// Only dense contacts have rows (sparse_contacts.hpp); a chunk without any has no lists. Made from the batches of the
+// chunk itself, of the span before it (whose pairs reach into it) and of the periodic ends. Rows are named by offsets
+// into the ring of a step: those of the chunk's pairs come first, then its walls. Particles are bucketed by the
+// greater of their own and incoming rows, short ones first, so that the loop over a bucket (motion.hpp) has a fixed
+// length; what is missing is padded with the row of zeros.
 #pragma once
 
 #include "listing.hpp"
 
 namespace fixdem {
 
+/// Rows of the dense contacts of one kind in a chunk: whole batches, or none where they are sparse.
+template <class Case, class Batches>
+int rows_of(const Batches& batches, int chunk) {
+  return batches.sparse[chunk] ? 0 : Capacity<Case>::batch * batches_for<Case>(batches.count[chunk]);
+}
 /// First row of the walls of a chunk, behind its pairs; of the ends, behind the pipe's.
 template <class Case>
 int first_pipe_row(const Contacts<Case>& contacts, int chunk) {
-  return Rows<Case>::first(chunk) + Capacity<Case>::batch * batches_for<Case>(contacts.pairs.count[chunk]);
+  return contacts.first_row(chunk) + rows_of<Case>(contacts.pairs, chunk);
 }
 template <class Case>
 int first_end_row(const Contacts<Case>& contacts, int chunk) {
   int row = first_pipe_row(contacts, chunk);
-  if constexpr (Case::has_wall) row += Capacity<Case>::batch * batches_for<Case>(contacts.pipe.count[chunk]);
+  if constexpr (Case::has_wall) row += rows_of<Case>(contacts.pipe, chunk);
   return row;
 }
 
@@ -30,40 +36,54 @@ Status list_slots(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   using R = Rows<Case>;
   constexpr int kinds = Contacts<Case>::max_slots + 1;
   const int base = chunk * Cap::chunk_size, particles = particles_in<Case>(chunk);
-  unsigned char own[Cap::chunk_size] = {}, incoming[Cap::chunk_size] = {}, neighbours[Cap::chunk_size] = {};
+  auto &own = scratch.own, &incoming = scratch.incoming, &neighbours = scratch.neighbours;
+  for (int i = 0; i < particles; ++i) own[i] = incoming[i] = neighbours[i] = 0;
   int crowded = -1;
-  const auto book = [&](int i, auto& rows, unsigned char* used, int row) {
+  const auto count = [&](int i) {
     if (neighbours[i] == Cap::neighbours) {
       crowded = i;
-      return;
+      return false;
     }
     ++neighbours[i];
-    rows[i][used[i]++] = R::offset(row);
+    return true;
   };
-  // Pairs of one range, as far as they concern this chunk.
+  bool has_rows = false, has_sums = false;
+  const auto is_dense = [&](const auto& batches, int range) {
+    (batches.sparse[range] ? has_sums : has_rows) |= batches.count[range] > 0;
+    return !batches.sparse[range];
+  };
+  // Pairs of one range, as far as they concern this chunk; sparse ones have no rows, but count as neighbours.
   const auto book_range = [&](int range, int owner_base, int partner_base, int first_row) {
+    const bool dense = is_dense(contacts.pairs, range);
     const int first = PairBatches<Case>::first(range);
     for (int k = 0; k < contacts.pairs.count[range]; ++k) {
       const int batch = first + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
-      const int owner = owner_base + R::number(contacts.pairs.owner[batch][lane]) - base;
-      const int partner = partner_base + R::number(contacts.pairs.partner[batch][lane]) - base;
-      if (owner >= 0 && owner < particles) book(owner, scratch.own_row, own, first_row + k);
-      if (partner >= 0 && partner < particles) book(partner, scratch.incoming_row, incoming, first_row + k);
+      const int i = owner_base + R::number(contacts.pairs.owner[batch][lane]) - base;
+      const int j = partner_base + R::number(contacts.pairs.partner[batch][lane]) - base;
+      if (i >= 0 && i < particles && count(i) && dense) scratch.own_row[i][own[i]++] = R::slot_offset(first_row + k);
+      if (j >= 0 && j < particles && count(j) && dense)
+        scratch.incoming_row[j][incoming[j]++] = R::slot_offset(first_row + k);
     }
   };
-  if (chunk > 0) book_range(chunk - 1, base - Cap::chunk_size, base - Cap::chunk_size, R::first(chunk - 1));
-  book_range(chunk, base, base, R::first(chunk));
+  for (int c = chunk > contacts.span ? chunk - contacts.span : 0; c <= chunk; ++c)
+    book_range(c, c * Cap::chunk_size, c * Cap::chunk_size, contacts.first_row(c));
   const auto book_walls = [&](const auto& walls, int first_row) {
+    if (!is_dense(walls, chunk)) return;
     for (int k = 0; k < walls.count[chunk]; ++k) {
       const int i = R::number(walls.owner[walls.first(chunk) + k / Capacity<Case>::batch][k % Capacity<Case>::batch]);
-      scratch.own_row[i][own[i]++] = R::offset(first_row + k);
+      scratch.own_row[i][own[i]++] = R::slot_offset(first_row + k);
     }
   };
   if constexpr (Case::has_wall) book_walls(contacts.pipe, first_pipe_row(contacts, chunk));
   if constexpr (Derived<Case>::has_ends) book_walls(contacts.ends, first_end_row(contacts, chunk));
   if constexpr (Derived<Case>::is_periodic)
-    if (chunk == 0 || chunk + 2 >= Cap::chunks) book_range(Cap::chunks, 0, R::wrap_base, R::wrap_first);
+    if (near.outer.concerns_ends(chunk)) book_range(Cap::chunks, 0, R::wrap_base, R::wrap_first);
+  contacts.has_rows[chunk] = has_rows, contacts.has_sums[chunk] = has_sums;
+  contacts.slots_are_stale[chunk] = false;
   if (crowded >= 0) return {Fault::neighbour_capacity, p.id[base + crowded], 0, Cap::neighbours + 1, Cap::neighbours};
+  for (int i = 0; i < particles; ++i)
+    near.most_neighbours = neighbours[i] > near.most_neighbours ? neighbours[i] : near.most_neighbours;
+  if (!has_rows) return {};
 
   const auto length = [&](int i) { return own[i] > incoming[i] ? own[i] : incoming[i]; };
   int* bucket = contacts.bucket[chunk];
@@ -78,13 +98,10 @@ Status list_slots(Contacts<Case>& contacts, NearList<Case>& near, const Particle
     const int k = length(i);
     auto* slot = contacts.slots[chunk] + next[k];
     next[k] += 2 * k + 1;
-    *slot++ = R::offset(i);
-    for (int s = 0; s < k; ++s) *slot++ = s < own[i] ? scratch.own_row[i][s] : R::offset(R::zero);
-    for (int s = 0; s < k; ++s) *slot++ = s < incoming[i] ? scratch.incoming_row[i][s] : R::offset(R::zero);
-    contacts.near_count[base + i] = neighbours[i];
-    if (neighbours[i] > near.most_neighbours) near.most_neighbours = neighbours[i];
+    *slot++ = R::slot_offset(i);
+    for (int s = 0; s < k; ++s) *slot++ = s < own[i] ? scratch.own_row[i][s] : R::slot_offset(R::zero);
+    for (int s = 0; s < k; ++s) *slot++ = s < incoming[i] ? scratch.incoming_row[i][s] : R::slot_offset(R::zero);
   }
-  contacts.slots_are_stale[chunk] = false;
   return {};
 }
 

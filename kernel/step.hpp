@@ -1,7 +1,8 @@
 // The order of one time step.
 //
-// Contact rows from the present positions, chunk after chunk along the pipe; each chunk then sums its rows and moves.
-// A chunk may move before the next one computes its contacts: no contact of a later chunk looks back. A range whose
+// Contacts from the present positions, chunk after chunk along the pipe; each chunk then sums what they give its
+// particles and moves. A chunk may move before the next one computes its contacts: no contact of a later chunk looks
+// back. A range whose
 // near list no longer holds is listed anew just before. Every chunk ends its step with the checks; the first fault, by
 // step and then along the pipe, is final: the state is that after the faulty step, for the report.
 #pragma once
@@ -79,54 +80,98 @@ Status check_chunk(State<Case>& s, int chunk, long long step) {
   if (const Status deep = check_overlap(s, chunk); !deep.ok()) return deep;
   const double sum = sum_of(s.watch[chunk].square_sum);
   if (!(sum - sum == 0)) return detail::find_culprit(s, chunk, Fault::non_finite, 0);
-  if (s.near_list.speed[chunk] * Case::time_step > greatest_way_per_step * radius) {
+  if (s.near_list.velocities[chunk].speed() * Case::time_step > greatest_way_per_step * radius) {
     const Status fastest = detail::find_culprit(s, chunk, Fault::too_fast, greatest_way_per_step);
     if (fastest.value > greatest_way_per_step) return fastest;
   }
-  constexpr double slack = order_slack * Case::diameter;
-  if (2 * s.near_list.way[chunk] > slack && !s.near_list.in_haste && (step + 1) % order_interval != 0)
+  if (s.near_list.way[chunk] > s.near_list.outer.allowed_way() && step + 1 < s.near_list.next_decision)
     return {Fault::order_lost, detail::find_culprit(s, chunk, Fault::too_fast, 0).particle, 0,
-            s.near_list.way[chunk] / Case::diameter, order_slack / 2};
+            s.near_list.way[chunk] / Case::diameter, s.near_list.outer.allowed_way() / Case::diameter};
   return {};
 }
 
-/// Force rows of one range into the ring of the step; its near list is seen to first.
+/// Lists again what no longer holds of a range, and begins its step.
 template <class Case, int W>
-void write_rows(State<Case>& s, int range, Real<Case>* ring, long long step) {
-  using Cap = Capacity<Case>;
-  constexpr int width = Contacts<Case>::row_width;
-  if (s.near_list.is_broken(range)) {
-    const Status status = list_again<Case, W>(s.contacts, s.near_list, s.particles, s.scratch, range);
-    if (!status.ok()) detail::note(s, status, step + 1);
-  }
-  Watch<Case>& watch = s.watch[range];
-  watch.begin_step();
-  Real<Case>* rows = ring + (range == Cap::chunks ? Rows<Case>::wrap_first : Rows<Case>::first(range)) * width;
-  const bool are_still = step > s.histories_given_at && s.near_list.is_still(range);
-  pair_contacts<Case, W>(s.contacts.pairs, s.particles, range, are_still, rows, watch);
-  if (range == Cap::chunks) {
-    if (const Status deep = check_overlap(s, range); !deep.ok()) detail::note(s, deep, step + 1);
-    return;
-  }
-  if constexpr (Case::has_wall)
-    wall_contacts<Case, W, PipeSurface<Case>>(s.contacts.pipe, s.particles, range, are_still,
-                                              ring + first_pipe_row(s.contacts, range) * width, watch);
-  if constexpr (Derived<Case>::has_ends)
-    wall_contacts<Case, W, EndSurfaces<Case>>(s.contacts.ends, s.particles, range, are_still,
-                                              ring + first_end_row(s.contacts, range) * width, watch);
+void begin_range(State<Case>& s, int range, long long step) {
+  const double way = s.near_list.velocities_of(range).spread() * Case::time_step;
+  const Status listed = keep_listed<Case, W>(s.contacts, s.near_list, s.particles, s.kept, range, way);
+  if (!listed.ok()) detail::note(s, listed, step + 1);
+  s.watch[range].begin_step();
 }
 
-/// Sums the rows of a chunk, moves its particles, and checks them.
+/// Force rows of the dense contacts of a range, into the ring of the step.
 template <class Case, int W>
-void move_chunk(State<Case>& s, int chunk, const Real<Case>* ring, long long step) {
+void compute_dense(State<Case>& s, int range, Real<Case>* ring, long long step) {
+  Contacts<Case>& contacts = s.contacts;
+  const auto row = [&](int number) { return ring + number * Contacts<Case>::row_width; };
+  const bool wraps = range == Capacity<Case>::chunks;
+  Watch<Case>& watch = s.watch[range];
+  const auto are_still = [&] {
+    return step > s.histories_given_at && s.near_list.is_still(s.near_list.velocities_of(range));
+  };
+  if (!contacts.pairs.sparse[range])
+    dense_pairs<Case, W>(contacts.pairs, s.particles, range, are_still(),
+                         row(wraps ? Rows<Case>::wrap_first : contacts.first_row(range)), watch);
+  if (wraps) return;
+  if constexpr (Case::has_wall)
+    if (!contacts.pipe.sparse[range])
+      dense_walls<Case, W, PipeSurface<Case>>(contacts.pipe, s.particles, range, are_still(),
+                                              row(first_pipe_row(contacts, range)), watch);
+  if constexpr (Derived<Case>::has_ends)
+    if (!contacts.ends.sparse[range])
+      dense_walls<Case, W, EndSurfaces<Case>>(contacts.ends, s.particles, range, are_still(),
+                                              row(first_end_row(contacts, range)), watch);
+}
+
+/// Sparse contacts of the ranges from `begin` to `end`, into the sums of their particles, or into `later` if that is
+/// not null.
+template <class Case, int W>
+void compute_sparse(State<Case>& s, int begin, int end, const RowsForLater<Case>* later = nullptr) {
+  Contacts<Case>& contacts = s.contacts;
+  if (later != nullptr) *later->count = 0;
+  sparse_pairs<Case, W>(contacts, s.particles, begin, end, s.watch, later);
+  if (begin == Capacity<Case>::chunks) return;
+  if constexpr (Case::has_wall)
+    sparse_walls<Case, W, PipeSurface<Case>>(contacts.pipe, contacts, s.particles, begin, end, s.watch, later);
+  if constexpr (Derived<Case>::has_ends)
+    sparse_walls<Case, W, EndSurfaces<Case>>(contacts.ends, contacts, s.particles, begin, end, s.watch, later);
+}
+
+/// All contacts of a range.
+template <class Case, int W>
+void compute_range(State<Case>& s, int range, Real<Case>* ring, long long step,
+                   const RowsForLater<Case>* later = nullptr) {
+  begin_range<Case, W>(s, range, step);
+  compute_sparse<Case, W>(s, range, range + 1, later);
+  compute_dense<Case, W>(s, range, ring, step);
+}
+
+/// Contacts across the periodic ends, in step `ahead` of a tile. Sparse ones wait until their particles move, so they
+/// come last in every sum.
+template <class Case, int W>
+void compute_across(State<Case>& s, int ahead = 0) {
+  constexpr int range = Capacity<Case>::chunks;
+  const RowsForLater<Case> later = s.contacts.across_for_later(ahead);
+  compute_range<Case, W>(s, range, s.contacts.ring(ahead), s.step + ahead, &later);
+  if (const Status deep = check_overlap(s, range); !deep.ok()) detail::note(s, deep, s.step + ahead + 1);
+}
+
+/// Sums what contacts give the particles of a chunk, moves them, and checks them; in step `ahead` of a tile.
+template <class Case, int W>
+void move_chunk(State<Case>& s, int chunk, int ahead = 0) {
+  const long long step = s.step + ahead;
   if (s.contacts.slots_are_stale[chunk]) {
     const Status status = list_slots(s.contacts, s.near_list, s.particles, s.scratch, chunk);
     if (!status.ok()) detail::note(s, status, step + 1);
   }
+  if constexpr (Derived<Case>::is_periodic)
+    if (s.near_list.outer.concerns_ends(chunk))
+      add_later<Case, W>(s.contacts.across_for_later(ahead), s.contacts.sum[0], chunk, chunk + 1);
   Watch<Case>& watch = s.watch[chunk];
-  move<Case, W>(s.contacts, s.particles, chunk, ring, watch);
-  s.near_list.speed[chunk] = watch.speed_bound();
-  s.near_list.way[chunk] += s.near_list.speed[chunk] * Case::time_step;
+  move<Case, W>(s.contacts, s.particles, chunk, s.contacts.ring(ahead), watch);
+  VelocityBox velocities;
+  velocities.add(watch.low, watch.high);
+  s.near_list.note_step(chunk, velocities);
   if (const Status status = check_chunk(s, chunk, step); !status.ok()) detail::note(s, status, step + 1);
 }
 
@@ -134,11 +179,11 @@ void move_chunk(State<Case>& s, int chunk, const Real<Case>* ring, long long ste
 template <class Case, int W>
 void begin_step(State<Case>& s) {
   Status status;
-  const bool is_due = s.near_list.order_is_due(s.step);
-  if (is_due) status = renew<Case, W>(s.contacts, s.near_list, s.particles, s.kept, s.scratch, 1);
-  s.near_list.choose_pace(s.step);
+  if (s.near_list.order_is_due(s.step))
+    status = renew<Case, W>(s.contacts, s.near_list, s.particles, s.kept, s.scratch, s.step);
   if constexpr (Case::has_gas) {
-    if (status.ok() && s.step % Case::gas_floater_interval == 0) find_floaters(s.gas, s.particles, s.contacts);
+    if (status.ok() && s.step % Case::gas_floater_interval == 0)
+      find_floaters<Case, W>(s.gas, s.particles, s.near_list.outer);
     if (status.ok() && s.step % Case::gas_update_interval == 0) status = update_slices<Case, W>(s.gas, s.particles);
   }
   if (!status.ok()) detail::note(s, status, s.step);
@@ -147,11 +192,16 @@ void begin_step(State<Case>& s) {
 /// One time step of the whole pipe. `W`: lanes per register.
 template <class Case, int W>
 void step(State<Case>& s) {
-  Real<Case>* ring = s.contacts.rows[0];
-  if constexpr (Derived<Case>::is_periodic) write_rows<Case, W>(s, Capacity<Case>::chunks, ring, s.step);
-  for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk) {
-    write_rows<Case, W>(s, chunk, ring, s.step);
-    move_chunk<Case, W>(s, chunk, ring, s.step);
+  constexpr int chunks = Capacity<Case>::chunks;
+  if constexpr (Derived<Case>::is_periodic) compute_across<Case, W>(s);
+  for (int begin = 0; begin < chunks; begin += chunks_together) {
+    const int end = begin + chunks_together < chunks ? begin + chunks_together : chunks;
+    for (int chunk = begin; chunk < end; ++chunk) begin_range<Case, W>(s, chunk, s.step);
+    compute_sparse<Case, W>(s, begin, end);
+    for (int chunk = begin; chunk < end; ++chunk) {
+      compute_dense<Case, W>(s, chunk, s.contacts.ring(0), s.step);
+      move_chunk<Case, W>(s, chunk);
+    }
   }
   ++s.step;
 }

@@ -1,43 +1,60 @@
 // Several steps at once, so that a long pipe passes through the cache once for all of them.
 //
-// A front runs along the pipe; behind it chunk c is one step further than chunk c + 1. Step t of chunk c needs chunk
-// c + 1 after step t - 1, which the front has just left in the cache, and the rows of chunk c - 1 in the ring of step
-// t. Everything a chunk does, its checks and the renewal of its near list included, depends on itself and its
-// neighbours only, so the state after a tile is that of plain steps to the last bit (tests/tiles_test.cpp).
+// A front runs along the pipe; behind it chunk c is one step further than chunk c + span, the span being the chunks
+// behind its own in which partners of a chunk lie. Step t of chunk c needs the chunks up to c + span after step t - 1,
+// which the front has just left in the cache, and the rows of the span before it in the ring of step t. Everything a
+// chunk does, its checks and listings included, depends on itself and its neighbours only, so the state after a tile is
+// that of plain steps bit for bit (tests/tiles_test.cpp).
 //
-// The ends of a periodic pipe depend on each other, so a tile has two phases:
+// The ends of a periodic pipe depend on each other, so a tile has two phases (here with a span of 1):
 //
-//   step 2      . . 2 2 2 2 2 . . .      first the numbered chunks, step t from chunk t on, losing one chunk a step at
-//   step 1      . 1 1 1 1 1 1 1 . .      the far end as well;
+//   step 2      . . 2 2 2 2 2 . . .      first the numbered chunks, step t from `first_chunk(t)` on, losing the span at
+//   step 1      . 1 1 1 1 1 1 1 . .      either end with each step;
 //   step 0      0 0 0 0 0 0 0 0 0 0      then the dots, step by step: the wedge around the cut.
 //
 // What the second phase needs of the first is the far end's last rows, which are still in their rings, and the rows of
-// the chunk before chunk t in step t, which the first phase has to compute anyway and keeps.
+// the span before the first chunk of each step, which the first phase has to compute anyway and keeps.
 #pragma once
 
 #include "step.hpp"
 
 namespace fixdem {
 
-/// Steps that can be done together from the present one on: up to the next decision about the order along the pipe or
-/// the next update of the gas. One while the scene is in haste.
+/// The chunks of a tile's steps, with the span and the ends as they are since the last sort.
+template <class Case>
+struct TileShape {
+  int span, last_at_start, first_at_end;
+  explicit TileShape(const OuterList<Case>& outer)
+      : span(outer.span), last_at_start(outer.last_at_start), first_at_end(outer.first_at_end) {}
+  /// Chunks that step t moves in the first phase.
+  int first_chunk(int t) const { return Derived<Case>::is_periodic && t > 0 ? last_at_start + 1 + (t - 1) * span : 0; }
+  int end_chunk(int t) const {
+    return Derived<Case>::is_periodic && t > 0 ? first_at_end - (t - 1) * span : Capacity<Case>::chunks;
+  }
+  bool fits(int depth) const {
+    return depth == 1 || (first_chunk(depth - 1) + span < end_chunk(depth - 1) &&
+                          Contacts<Case>::rows_for(span, depth) <= Contacts<Case>::row_count);
+  }
+};
+
+/// Steps that can be done together from the present one on: up to the next decision about the order or the next update
+/// of the gas, as the pipe is long enough and there is room for rows.
 template <class Case>
 int tile_depth(const State<Case>& s, long long steps) {
   constexpr int greatest = Capacity<Case>::tile_steps;
   static_assert(greatest >= 1 && greatest <= order_interval, "fixdem: [capacity] tile_steps must lie between 1 and 16");
   static_assert(Capacity<Case>::chunks >= chunks_for_tile(greatest),
                 "fixdem: tiles need a pipe of many chunks: lower [capacity] tile_steps");
-  if (greatest == 1 || s.near_list.in_haste) return 1;
+  if (greatest == 1) return 1;
   long long depth = steps < greatest ? steps : greatest;
-  const auto end_before = [&](int interval) {
-    const long long left = interval - s.step % interval;
-    if (left < depth) depth = left;
-  };
-  end_before(order_interval);
+  const auto end_before = [&](long long left) { depth = left < depth ? left : depth; };
+  end_before(s.near_list.next_decision - s.step);
   if constexpr (Case::has_gas) {
-    end_before(Case::gas_update_interval);
-    end_before(Case::gas_floater_interval);
+    end_before(Case::gas_update_interval - s.step % Case::gas_update_interval);
+    end_before(Case::gas_floater_interval - s.step % Case::gas_floater_interval);
   }
+  const TileShape<Case> shape(s.near_list.outer);
+  while (!shape.fits(static_cast<int>(depth))) --depth;
   return static_cast<int>(depth);
 }
 
@@ -67,7 +84,8 @@ void prefetch_chunk(const State<Case>& s, int chunk) {
     const int first = kind.first(range), count = batches_for<Case>(kind.count[range]);
     prefetch(kind.owner + first, count);
     if constexpr (requires { kind.partner; }) prefetch(kind.partner + first, count);
-    if constexpr (keeps_history<Case>) prefetch(kind.history.value + first, count);
+    if constexpr (keeps_history<Case>)
+      prefetch(kind.history_of(range, 0).first, count * Capacity<Case>::batch * kind.history.row_width);
   };
   batches(s.contacts.pairs, chunk);
   if constexpr (Case::has_wall) batches(s.contacts.pipe, chunk);
@@ -76,12 +94,13 @@ void prefetch_chunk(const State<Case>& s, int chunk) {
   prefetch(s.contacts.slots[chunk], entries);
 }
 
-/// Copies the rows that a chunk has written, between a ring and the rows kept for the second phase.
+/// Copies the dense rows of a chunk from one place of a ring to another.
 template <class Case>
-void copy_rows(const Contacts<Case>& contacts, int chunk, const Real<Case>* from, Real<Case>* to) {
-  int rows = first_end_row(contacts, chunk) - Rows<Case>::first(chunk);
-  if constexpr (Derived<Case>::has_ends) rows += Capacity<Case>::batch * batches_for<Case>(contacts.ends.count[chunk]);
-  for (int k = 0; k < rows * Contacts<Case>::row_width; ++k) to[k] = from[k];
+void copy_rows(const Contacts<Case>& contacts, int chunk, Real<Case>* ring, int from, int to) {
+  int rows = first_end_row(contacts, chunk) - contacts.first_row(chunk);
+  if constexpr (Derived<Case>::has_ends) rows += rows_of<Case>(contacts.ends, chunk);
+  constexpr int width = Contacts<Case>::row_width;
+  __builtin_memcpy(ring + to * width, ring + from * width, static_cast<std::size_t>(rows * width) * sizeof(Real<Case>));
 }
 
 }  // namespace detail
@@ -91,38 +110,47 @@ template <class Case, int W>
 void tile(State<Case>& s, int depth) {
   constexpr int chunks = Capacity<Case>::chunks;
   constexpr bool is_periodic = Derived<Case>::is_periodic;
-  const auto ring = [&](int t) { return s.contacts.rows[t]; };
-  const auto rows_of = [&](int t, int chunk) { return ring(t) + Rows<Case>::first(chunk) * Contacts<Case>::row_width; };
-  const auto first_chunk = [](int t) { return is_periodic ? t : 0; };
-  const auto end_chunk = [](int t) { return is_periodic && t > 0 ? chunks - 1 - t : chunks; };
+  Contacts<Case>& contacts = s.contacts;
+  const TileShape<Case> shape(s.near_list.outer);
+  const auto step_chunk = [&](int chunk, int t) {
+    compute_range<Case, W>(s, chunk, contacts.ring(t), s.step + t);
+    move_chunk<Case, W>(s, chunk, t);
+  };
+  // Contacts of a chunk of the span before the first one: for the particles that move in the first phase now, and for
+  // the others, with the dense rows, in the second.
+  const auto compute_and_keep = [&](int chunk, int t) {
+    const RowsForLater<Case> later = contacts.chunk_for_later(t, chunk);
+    compute_range<Case, W>(s, chunk, contacts.ring(t), s.step + t, &later);
+    add_later<Case, W>(later, contacts.sum[0], shape.first_chunk(t), chunks);
+    detail::copy_rows(contacts, chunk, contacts.ring(t), contacts.first_row(chunk), contacts.first_kept_row(chunk));
+  };
+  const auto take_kept = [&](int chunk, int t) {
+    add_later<Case, W>(contacts.chunk_for_later(t, chunk), contacts.sum[0], 0, shape.first_chunk(t));
+    detail::copy_rows(contacts, chunk, contacts.ring(t), contacts.first_kept_row(chunk), contacts.first_row(chunk));
+    move_chunk<Case, W>(s, chunk, t);
+  };
 
-  if constexpr (is_periodic) write_rows<Case, W>(s, chunks, ring(0), s.step);
-  for (int front = 0; front < chunks + depth - 1; ++front) {
+  if constexpr (is_periodic) compute_across<Case, W>(s);
+  for (int front = 0; front < chunks + (depth - 1) * shape.span; ++front) {
     detail::prefetch_chunk(s, front + prefetch_lead);
     for (int t = 0; t < depth; ++t) {
-      const int chunk = front - t;
-      if (chunk < first_chunk(t) || chunk >= end_chunk(t)) continue;
-      if (is_periodic && t > 0 && chunk == first_chunk(t)) {
-        write_rows<Case, W>(s, chunk - 1, ring(t), s.step + t);
-        detail::copy_rows(s.contacts, chunk - 1, rows_of(t, chunk - 1), s.contacts.edge.rows[t]);
+      const int chunk = front - t * shape.span, first = shape.first_chunk(t);
+      if (chunk >= first && chunk < shape.end_chunk(t)) {
+        step_chunk(chunk, t);
+      } else if (is_periodic && chunk >= 0 && chunk < first && chunk >= first - shape.span) {
+        compute_and_keep(chunk, t);
       }
-      write_rows<Case, W>(s, chunk, ring(t), s.step + t);
-      move_chunk<Case, W>(s, chunk, ring(t), s.step + t);
     }
   }
   if constexpr (is_periodic) {
     for (int t = 1; t < depth; ++t) {
-      write_rows<Case, W>(s, chunks, ring(t), s.step + t);
-      for (int chunk = end_chunk(t); chunk < chunks; ++chunk) {
-        write_rows<Case, W>(s, chunk, ring(t), s.step + t);
-        move_chunk<Case, W>(s, chunk, ring(t), s.step + t);
-      }
-      for (int chunk = 0; chunk < first_chunk(t); ++chunk) {
-        if (chunk + 1 == first_chunk(t))
-          detail::copy_rows(s.contacts, chunk, s.contacts.edge.rows[t], rows_of(t, chunk));
+      compute_across<Case, W>(s, t);
+      for (int chunk = shape.end_chunk(t); chunk < chunks; ++chunk) step_chunk(chunk, t);
+      for (int chunk = 0; chunk < shape.first_chunk(t); ++chunk) {
+        if (chunk < shape.first_chunk(t) - shape.span)
+          step_chunk(chunk, t);
         else
-          write_rows<Case, W>(s, chunk, ring(t), s.step + t);
-        move_chunk<Case, W>(s, chunk, ring(t), s.step + t);
+          take_kept(chunk, t);
       }
     }
   }

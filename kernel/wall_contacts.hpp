@@ -81,8 +81,8 @@ struct WallSide {
   const R* moving;
   const double* last_kick = nullptr;
 
-  WallSide(const Particles<Case>& particles, int chunk) {
-    const int base = chunk * Capacity<Case>::chunk_size;
+  /// Owners count from particle `base`.
+  WallSide(const Particles<Case>& particles, int base) {
     position = particles.position[base];
     moving = particles.looked_up_motion(base);
     if constexpr (Particles<Case>::predicts) last_kick = particles.last_kick.row[base];
@@ -132,18 +132,28 @@ struct WallSide {
   }
 };
 
-/// Force rows of the near walls of one kind in one chunk, written from `rows` on. `W`: doubles per register;
-/// `are_still`: see dense_contacts.
+/// Force rows of the near walls of one kind in one dense chunk; see dense_pairs.
 template <class Case, int W, class Surface, class Walls>
-void wall_contacts(Walls& walls, const Particles<Case>& particles, int chunk, bool are_still, Real<Case>* rows,
-                   Watch<Case>& watch) {
-  constexpr int lanes = contact_lanes<Case, W>;
-  const WallSide<Case, Surface> side(particles, chunk);
-  const int first = Walls::first(chunk), count = walls.count[chunk];
-  if (walls.sparse[chunk])
-    sparse_contacts<Case, lanes>(side, walls, first, count, rows, watch);
-  else
-    dense_contacts<Case, lanes>(side, walls, first, count, are_still, rows, watch);
+void dense_walls(Walls& walls, const Particles<Case>& particles, int chunk, bool are_still, Real<Case>* rows,
+                 Watch<Case>& watch) {
+  const WallSide<Case, Surface> side(particles, chunk * Capacity<Case>::chunk_size);
+  dense_contacts<Case, contact_lanes<Case, W>>(side, walls, Walls::first(chunk), walls.count[chunk], are_still, rows,
+                                               watch);
+}
+
+/// Contacts with the walls of one kind in the sparse chunks from `begin` to `end`; see sparse_pairs.
+template <class Case, int W, class Surface, class Walls>
+void sparse_walls(Walls& walls, Contacts<Case>& contacts, const Particles<Case>& particles, int begin, int end,
+                  Watch<Case>* watch, const RowsForLater<Case>* later) {
+  using Side = WallSide<Case, Surface>;
+  SparseContacts<Case, contact_lanes<Case, W>, Side, Walls> sparse(Side(particles, 0), walls, contacts.sum[0], watch,
+                                                                   later);
+  for (int chunk = begin; chunk < end; ++chunk) {
+    if (!walls.sparse[chunk]) continue;
+    const int base = chunk * Capacity<Case>::chunk_size;
+    sparse.look_at(Side(particles, base), chunk, base, base);
+  }
+  sparse.compute();
 }
 
 }  // namespace fixdem

@@ -1,4 +1,4 @@
-// What every step keeps an eye on: greatest overlap, greatest speed, finiteness, and the energy ledger.
+// What every step keeps an eye on: greatest overlap, least and greatest velocities, finiteness, and the energy ledger.
 //
 // One watch for each range of contacts and its chunk, so that chunks can be worked off in any order. Eight partial
 // values each (as many as a batch has lanes), whatever the register width, so that sums have one order everywhere.
@@ -25,16 +25,14 @@ struct Ledger<Case, false> {};
 template <class Case>
 struct Watch {
   alignas(64) Real<Case> overlap[Capacity<Case>::batch];  ///< greatest overlaps, m
-  alignas(64) double motion_square[8];                    ///< greatest squares of each column of motion
-  alignas(64) double square_sum[8];                       ///< sum of the same; not finite as soon as one value is not
+  alignas(64) double low[8], high[8];                     ///< least and greatest value of each column of motion
+  alignas(64) double square_sum[8];  ///< sum of their squares; not finite as soon as one value is not
   [[no_unique_address]] Ledger<Case> ledger;
 
   void begin_step() {
     for (auto& greatest : overlap) greatest = 0;
-    for (int k = 0; k < 8; ++k) motion_square[k] = square_sum[k] = 0;
+    for (int k = 0; k < 8; ++k) low[k] = 1e300, high[k] = -1e300, square_sum[k] = 0;
   }
-  /// Bound on the speed of every particle, m/s: the root of the sum of the greatest squares of each component.
-  double speed_bound() const { return sqrt(motion_square[0] + motion_square[1] + motion_square[2]); }
 };
 
 template <int Size>

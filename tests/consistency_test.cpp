@@ -82,7 +82,15 @@ void attack() {
   CHECK(hostile.accepted > 0);
   hostile.change("numbers of particles", s.particles.id);
   hostile.change("places", s.particles.position);
-  hostile.change("ends of reach", s.near_list.end_of_reach);
+  hostile.change("outer owners", s.near_list.outer.owner);
+  hostile.change("outer partners", s.near_list.outer.partner);
+  hostile.change("outer counts", s.near_list.outer.pairs);
+  hostile.change("span", s.near_list.outer.span);
+  hostile.change("chunks at the ends", s.near_list.outer.last_at_start);
+  hostile.change("next decision", s.near_list.next_decision);
+  hostile.change("last sort", s.near_list.sorted_at);
+  hostile.change("ways since then", s.near_list.way);
+  hostile.change("kept histories", s.kept);
   hostile.change("owners", s.contacts.pairs.owner);
   hostile.change("partners", s.contacts.pairs.partner);
   hostile.change("bits of touching pairs", s.contacts.pairs.touching);
@@ -117,17 +125,41 @@ TEST_CASE("consistency: single promises of a state") {
   CHECK(refused(s.particles.id[3], small_gas::particle_count));
   CHECK(refused(s.particles.position[3][2], 1e300));
   CHECK(refused(s.particles.position[3][2], __builtin_nan("")));
-  CHECK(refused(s.near_list.end_of_reach[5], 5));
-  CHECK(refused(s.near_list.end_of_reach[5], 5 + Capacity<small_gas>::chunk_size + 1));
+  OuterList<small_gas>& outer = s.near_list.outer;
+  CHECK(refused(outer.span, outer.span + 1));
+  CHECK(refused(s.near_list.next_decision, s.step + 1000000));
+  CHECK(refused(s.near_list.sorted_at, s.step + 1));
+  CHECK(refused(s.near_list.way[0], -1.0));
+  CHECK(refused(outer.last_at_start, Capacity<small_gas>::chunks));
+  CHECK(refused(outer.pairs[0], outer.capacity(0) + 1));
+  CHECK(refused(outer.partner[0], Rows<small_gas>::offset((outer.span + 1) * Capacity<small_gas>::chunk_size)));
   CHECK(refused(s.contacts.pairs.count[0], -1));
   CHECK(refused(s.contacts.pairs.count[0], Capacity<small_gas>::chunk_pairs + 1));
   using Offset = typename Rows<small_gas>::Offset;
   CHECK(refused(s.contacts.pairs.owner[0][0], static_cast<Offset>(s.contacts.pairs.owner[0][0] + 1)));
   CHECK(refused(s.contacts.pairs.owner[0][0], Rows<small_gas>::offset(Capacity<small_gas>::chunk_size)));
   CHECK(refused(s.contacts.pairs.touching[0], static_cast<std::uint16_t>(0x8000)));
-  CHECK(refused(s.contacts.slots[0][0], Rows<small_gas>::offset(Capacity<small_gas>::chunk_size)));
-  CHECK(refused(s.contacts.bucket[0][0], s.contacts.bucket[0][0] + 1));
-  CHECK(refused(s.contacts.rows[0][Rows<small_gas>::zero * Contacts<small_gas>::row_width], 1.0));
+  REQUIRE(!s.contacts.has_rows[0]);
+  CHECK(refused(s.contacts.has_rows[0], true));
+  CHECK(refused(s.contacts.rows[Rows<small_gas>::zero * Contacts<small_gas>::row_width], 1.0));
+  CHECK(refused(s.contacts.sum[7][1], 1.0));
   CHECK(refused(s.step, -1LL));
   CHECK(refused(s.status.fault, Fault::overlap));
+}
+
+TEST_CASE("consistency: slots of a dense chunk") {
+  static Hostile<small_closed> hostile;
+  State<small_closed>& s = hostile.simulation().state();
+  REQUIRE(hostile.simulation().run(200000).ok());  // until all lie at rest
+  int dense = -1;
+  for (int chunk = 0; chunk < Capacity<small_closed>::chunks; ++chunk)
+    if (s.contacts.has_rows[chunk]) dense = chunk;
+  REQUIRE(dense >= 0);
+  auto &slot = s.contacts.slots[dense][0], good_slot = slot;
+  slot = Rows<small_closed>::slot_offset(Capacity<small_closed>::chunk_size);
+  CHECK(!hostile.simulation().is_consistent());
+  slot = good_slot;
+  CHECK(hostile.simulation().is_consistent());
+  ++s.contacts.bucket[dense][0];
+  CHECK(!hostile.simulation().is_consistent());
 }

@@ -233,7 +233,7 @@ TEST_CASE("capacities: how full they were, and what to set") {
     return describe_capacities({{"neighbours", 14, neighbours},
                                 {"chunk_pairs", 1008, pairs},
                                 {"wrap_pairs", 0, 0},
-                                {"chunk_size", 144, 90},
+                                {"in_reach", 144, 90},
                                 {"memory", 524288, 262144}});
   };
   CHECK(

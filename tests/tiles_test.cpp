@@ -6,6 +6,7 @@
 // listed anew within tiles; every particle and the energy ledger are compared byte by byte.
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <cstring>
 #include <memory>
 
@@ -40,6 +41,9 @@ struct with_gas : long_pipe<cases::plug_u24, 200> {
   static constexpr int tile_steps = 8;
 };
 struct mixed : in_mixed_precision<periodic> {};
+struct smooth_mixed : mixed {
+  static constexpr double friction = 0;
+};
 struct smooth_leapfrog : periodic {
   static constexpr double friction = 0;
   static constexpr auto integrator = Integrator::leapfrog;
@@ -55,7 +59,7 @@ std::unique_ptr<Simulation<Case>> started() {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("tiles: the same bytes as step by step", Case, periodic, deep, closed, with_gas, mixed,
+TEST_CASE_TEMPLATE("tiles: the same bytes as step by step", Case, periodic, deep, closed, with_gas, mixed, smooth_mixed,
                    smooth_leapfrog) {
   enter({Case::name, seed()});
   static_assert(Capacity<Case>::chunks >= 24);
@@ -77,6 +81,13 @@ TEST_CASE_TEMPLATE("tiles: the same bytes as step by step", Case, periodic, deep
   const Energy a = together->energy(), b = one_by_one->energy();
   CHECK(std::memcmp(&a, &b, sizeof a) == 0);
   CHECK(a.dissipated_damping != 0);
+}
+
+TEST_CASE_TEMPLATE("tiles: the rows of every step are aligned to the widest register", Case, periodic, mixed,
+                   smooth_mixed, smooth_leapfrog) {
+  auto simulation = std::make_unique<Simulation<Case>>();
+  for (int step = 0; step < Case::tile_steps; ++step)
+    CHECK(reinterpret_cast<std::uintptr_t>(simulation->state().contacts.ring(step)) % 64 == 0);
 }
 
 TEST_CASE("tiles: a fault within a tile is reported as step by step") {

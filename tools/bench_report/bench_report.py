@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Turns runs of the benchmarks into bench/reports/speed.md, .csv and .svg and the table in bench/README.md: make bench-report.
+"""Turns runs of the benchmarks into bench/reports/speed.md, .csv and .svg, widths.svg and the table in bench/README.md: make bench-report.
 
 Input are files of Google Benchmark's JSON, one for each run of the whole set. Machines are disturbed for seconds at a
 time, so each figure is that of the fastest run, and the slowest is given beside it. The fraction of the bound is the least
@@ -163,6 +163,25 @@ def draw(figures, svg):
         subprocess.run(["gnuplot"], input=script, text=True, check=True)
 
 
+def draw_widths(figures, svg):
+    """Rate against the diameter of the pipe by that of a particle, in pipes of some ten thousand particles."""
+    with tempfile.TemporaryDirectory() as folder:
+        curves = []
+        for precision in precisions(figures):
+            for scene in ("bed", "agitated", "falling"):
+                points = {}
+                for f in figures.values():
+                    if (found := re.fullmatch(rf"step/{scene}/(\d+)/(\d+)/{precision}", f.name)) and int(found[1]) < 20000:
+                        points[int(found[2])] = f.best / 1e6
+                if points:
+                    data = Path(folder) / f"{scene}-{precision}.dat"
+                    data.write_text("".join(f"{width} {points[width]}\n" for width in sorted(points)))
+                    curves.append(f"'{data}' with linespoints linewidth 2 title '{scene}, {precision}'")
+        if curves:
+            script = (HERE / "widths.gnuplot").read_text().replace("@CURVES@", ", ".join(curves)).replace("@OUTPUT@", str(svg))
+            subprocess.run(["gnuplot"], input=script, text=True, check=True)
+
+
 def write_csv(figures, path):
     with path.open("w", newline="") as file:
         rows = csv.writer(file, lineterminator="\n")
@@ -185,6 +204,7 @@ def main():
     figures, context = read(chosen.json)
     chosen.reports.mkdir(parents=True, exist_ok=True)
     draw(figures, chosen.reports / "speed.svg")
+    draw_widths(figures, chosen.reports / "widths.svg")
     write_csv(figures, chosen.reports / "speed.csv")
     runs = max(f.count for f in figures.values())
     table_text = table(figures, context, runs)

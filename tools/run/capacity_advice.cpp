@@ -13,18 +13,18 @@ const CapacityUse* find(const std::vector<CapacityUse>& uses, const char* name) 
 }
 
 /// `neighbours` with which this run would have had one place to spare everywhere. It is the size of all arrays of near
-/// pairs: a chunk has room for half as many pairs per particle.
-long long enough_neighbours(long long neighbours, long long pairs, long long chunk_size) {
-  const long long for_pairs = (2 * (pairs + pairs / 10) + chunk_size - 1) / chunk_size;
-  return std::clamp(std::max(neighbours + 1, for_pairs), 2LL, 30LL);
+/// pairs, which have room in proportion to it.
+long long enough_neighbours(const CapacityUse& neighbours, const CapacityUse& pairs) {
+  const long long with_slack = pairs.high_water + pairs.high_water / 10;
+  const long long for_pairs = (with_slack * neighbours.limit + pairs.limit - 1) / pairs.limit;
+  return std::clamp(std::max(neighbours.high_water + 1LL, for_pairs), 2LL, 30LL);
 }
 
 }  // namespace
 
 std::string describe_capacities(const std::vector<CapacityUse>& uses) {
   const CapacityUse *neighbours = find(uses, "neighbours"), *pairs = find(uses, "chunk_pairs"),
-                    *across = find(uses, "wrap_pairs"), *reach = find(uses, "chunk_size"),
-                    *memory = find(uses, "memory");
+                    *across = find(uses, "wrap_pairs"), *reach = find(uses, "in_reach"), *memory = find(uses, "memory");
   if (!neighbours || !pairs || !across || !reach || !memory) return "";
   std::string text = fmt::format(
       "capacity: {} of {} neighbours, {} of {} pairs in a chunk{}, {} of {} particles within reach; {:.1f} KiB in "
@@ -32,8 +32,8 @@ std::string describe_capacities(const std::vector<CapacityUse>& uses) {
       neighbours->high_water, neighbours->limit, pairs->high_water, pairs->limit,
       across->limit > 0 ? fmt::format(", {} of {} across the ends", across->high_water, across->limit) : "",
       reach->high_water, reach->limit, static_cast<double>(memory->high_water) / 1024);
-  const long long enough =
-      enough_neighbours(neighbours->high_water, std::max(pairs->high_water, across->high_water), reach->limit);
+  long long enough = enough_neighbours(*neighbours, *pairs);
+  if (across->limit > 0) enough = std::max(enough, enough_neighbours(*neighbours, *across));
   if (enough < neighbours->limit)
     text += fmt::format("  [capacity] neighbours = {} would be enough for this run and save memory\n", enough);
   else if (enough > neighbours->limit)

@@ -124,8 +124,9 @@ std::string fault_advice(const CaseFacts& facts, const Status& status, double sp
     case Fault::pair_capacity:
       return "raise [capacity] neighbours in the case file (at most 30) and build again";
     case Fault::chunk_capacity:
-      return "the particles are packed more densely than spheres can be: they overlap; a smaller [run] time_step or a "
-             "stiffer material prevents that";
+      return "more particles lie beside each other than touching ones in a pipe of [pipe] diameter: they overlap "
+             "deeply, or "
+             "the case has no wall to hold them";
     case Fault::gas_unsolved:
       return "the gas flow of a slice has no solution in floating point: check [gas] bulk_velocity, density and "
              "kinematic_viscosity";
