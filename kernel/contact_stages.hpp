@@ -112,7 +112,7 @@ struct InPlace {
   BookedEnergy<Case, W>* energy;
   template <class V, int Count>
   FIXDEM_INLINE KeptNumbers<V, Count> kept() const {
-    KeptNumbers<V, Count> numbers;
+    KeptNumbers<V, Count> numbers{};
     for (int c = 0; c < Count; ++c) numbers.value[c] = load<V>(history[c] + lane);
     return numbers;
   }
@@ -143,7 +143,7 @@ FIXDEM_INLINE History<V> remembered(const Place& place) {
 }
 template <class Law, class Case, class Place, class V>
 FIXDEM_INLINE void remember(const Place& place, const History<V>& h) {
-  KeptNumbers<V, Law::history_size> kept;
+  KeptNumbers<V, Law::history_size> kept{};
   const auto vector = [&](int c, const Vec3<V>& a) FIXDEM_INLINE_LAMBDA {
     kept.value[c] = a.x, kept.value[c + 1] = a.y, kept.value[c + 2] = a.z;
   };

@@ -70,7 +70,7 @@ struct Packed {
   }
   template <class V, int Count>
   FIXDEM_INLINE KeptNumbers<V, Count> kept() const {
-    KeptNumbers<V, Count> numbers;
+    KeptNumbers<V, Count> numbers{};
     for (int c = 0; c < Count; c += 4) {
       const Vec4<V> four = load_columns<W, RowWidth>(history + c, number);
       numbers.value[c] = four.x;

@@ -104,3 +104,20 @@ TEST_CASE("tiles: a fault within a tile is reported as step by step") {
   CHECK(a.step == b.step);
   CHECK(a.value == b.value);
 }
+
+TEST_CASE("tiles: with another span the row of zeros of every ring holds zeros") {
+  using Case = periodic;
+  auto simulation = std::make_unique<Simulation<Case>>();
+  auto& contacts = simulation->state().contacts;
+  for (int span = Capacity<Case>::span; span >= 1; --span) {
+    for (double& number : contacts.rows) number = 1;
+    contacts.set_span(span);
+    const int depth =
+        Contacts<Case>::rows_for(span, Case::tile_steps) <= Contacts<Case>::row_count ? Case::tile_steps : 1;
+    double sum = 0;
+    for (int step = 0; step < depth; ++step)
+      for (int c = 0; c < Contacts<Case>::row_width; ++c)
+        sum += contacts.ring(step)[Rows<Case>::zero * Contacts<Case>::row_width + c];
+    CHECK(sum == 0);
+  }
+}

@@ -164,5 +164,32 @@ TEST_CASE("any pipe: a single file in a pipe barely wider than a sphere") {
   CHECK(simulation->observe().contacts == Case::particle_count - 1);
 }
 
+/// No contact, no force: all fly along the pipe at one speed, so no list is ever used up.
+struct flying_as_one : weightless {
+  static constexpr int particle_count = 190;
+  static constexpr Ends ends = Ends::periodic;
+  static constexpr double pipe_length = 0.115;
+};
+
+TEST_CASE("any pipe: what flies as one is brought back into the pipe before it is a length away") {
+  using Case = flying_as_one;
+  enter({Case::name, seed()});
+  Spheres spheres = layered_spheres<Case>(0.0115, 0, Random(seed()));
+  constexpr double speed = 50;
+  for (auto& sphere : spheres) sphere.velocity[2] = speed;
+  auto simulation = std::make_unique<Simulation<Case>>();
+  place_all(*simulation, spheres);
+  start(*simulation);
+  double farthest = 0;
+  constexpr int steps = static_cast<int>(3 * Case::pipe_length / (speed * Case::time_step));
+  for (int k = 0; k < steps; k += 10) {
+    run(*simulation, 10);
+    for (const auto& position : simulation->state().particles.position) farthest = std::max(farthest, position[2]);
+  }
+  CHECK(farthest < 2 * Case::pipe_length);
+  CHECK(simulation->observe().contacts == 0);
+  CHECK(simulation->image(0) >= 2);
+}
+
 }  // namespace
 }  // namespace fixdem::tests

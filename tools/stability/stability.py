@@ -75,7 +75,7 @@ def limits(report, scratch, speed, quick):
             if float(row["restitution"]) >= 0.9 and row["criterion"] == "exact":
                 report.promise(abs(measured / predicted - 1) <= 0.10, f"{name}: measured {measured:g} s is not within 10 % of {predicted:g} s")
             report.promise(predicted <= 1.002 * measured, f"{name}: the prediction {predicted:g} s is above the measured {measured:g} s")
-            report.promise(0.65 * predicted <= bound, f"{name}: the bound {bound:g} s is below 0.65 of {predicted:g} s")
+            report.promise(0.6 * predicted <= bound, f"{name}: the bound {bound:g} s is below 0.6 of {predicted:g} s")
         if predicted == predicted:
             report.promise(bound <= predicted * (1 + 1e-4), f"{name}: the bound {bound:g} s is above {predicted:g} s")
             report.promise(predicted <= 1.002 * measured, f"{name}: the prediction {predicted:g} s is above the measured {measured:g} s")
