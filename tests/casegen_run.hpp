@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 #include <stdio.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -42,7 +43,15 @@ inline void write(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
-inline fs::path scratch() { return fs::path(FIXDEM_SCRATCH) / "casegen"; }
+/// Of this process: files of tests run side by side.
+inline const fs::path& scratch() {
+  struct Folder {
+    fs::path path = fs::path(FIXDEM_SCRATCH) / ("casegen-" + std::to_string(getpid()));
+    ~Folder() { fs::remove_all(path); }
+  };
+  static const Folder folder;
+  return folder.path;
+}
 
 inline bool contains(const std::string& text, const std::string& words) {
   return text.find(words) != std::string::npos;

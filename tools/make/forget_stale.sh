@@ -71,9 +71,9 @@ mv -f "$seen.$$" "$seen"
 
 # The compiler's version, and what -march=native stands for on this machine; versions of the libraries that are compiled in.
 # Where it looks for headers is left out: it says which of the folders are there, and ours is not at first. clang names the
-# present folder, too: a checkout may be moved.
+# present folder, too, in quotes if it has a blank: a checkout may be moved.
 options=$(sed -E 's/-(I|isystem) ?[^ ]+//g' <<<"$FLAGS")
-said=$($COMPILER $options -v -dM -E -x c++ /dev/null 2>&1 | grep -v ' /tmp/') || exit 0
+said=$($COMPILER $options -v -dM -E -x c++ /dev/null 2>&1 | grep -v ' /tmp/' | tr -d '"') || exit 0
 identity=$(sums <<<"${said//"$PWD"/.}")
 found() {
   local header folder
