@@ -75,7 +75,7 @@ class PackedContacts {
   struct Batch {
     alignas(64) double between[3][lanes];  ///< centre of the owner to that of its partner, or from the axis; m
     alignas(64) T velocity[3][lanes], spin[3][lanes], history[3][lanes];
-    alignas(64) T way[3][lanes], measure[lanes], root[lanes];               ///< of the first stage
+    alignas(64) T separation[3][lanes], gap_square[lanes], root[lanes];     ///< of the first stage
     alignas(64) T normal[3][lanes], repulsion[lanes], overlap_root[lanes];  ///< of the second
     alignas(64) T force[3][lanes], torque[3][lanes], new_history[3][lanes];
   };
@@ -155,15 +155,15 @@ class PackedContacts {
       s = narrowed<W>(part);
     else
       s = part(std::integral_constant<int, W>{}, 0);
-    store_vector(batch.way, lane, s.way);
-    store(batch.measure + lane, s.measure);
-    store(batch.root + lane, side.root(s.measure));
+    store_vector(batch.separation, lane, s.separation);
+    store(batch.gap_square + lane, s.gap_square);
+    store(batch.root + lane, side.root(s.gap_square));
   }
 
   template <class Side>
   static FIXDEM_INLINE void geometry(const Side& side, Batch& batch, int lane) {
     Vec3<V> n;
-    const Separation<V> s{load_vector(batch.way, lane), load<V>(batch.measure + lane)};
+    const Separation<V> s{load_vector(batch.separation, lane), load<V>(batch.gap_square + lane)};
     const SpringBase<V> base = spring_base<typename Side::Law, Case>(side.resolve(s, load<V>(batch.root + lane), n));
     store_vector(batch.normal, lane, n);
     store(batch.repulsion + lane, base.repulsion);

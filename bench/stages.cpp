@@ -24,7 +24,8 @@ struct NearListStage {
   static constexpr Contacting contacting = Contacting::none;
   static void call(State<Case>& s) {
     for (int range = 0; range < NearList<Case>::ranges; ++range) {
-      if (range < Capacity<Case>::chunks) s.near_list.pipe[range].used = s.near_list.ends[range].used = 1;
+      if (range < Capacity<Case>::chunks)
+        for_each_wall(s.contacts, [&](auto& walls) { walls.validity[range].used = 1; });
       require(keep_listed<Case, W>(s.contacts, s.near_list, s.particles, s.kept, range, 1));  // a way of a metre
     }
     for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
@@ -50,7 +51,7 @@ struct PairStage {
       const bool wraps = range == Capacity<Case>::chunks;
       Real<Case>* rows = s.contacts.ring(0) + (wraps ? Rows<Case>::wrap_first : s.contacts.first_row(range)) * width;
       const bool are_still = s.near_list.is_still(s.near_list.velocities_of(range));
-      dense_pairs<Case, W>(s.contacts.pairs, s.particles, range, are_still, rows, s.watch[range]);
+      dense_pairs<Case, W>(s.contacts.pairs, s.particles, range, are_still, rows, s.monitor[range]);
     }
   }
 };
@@ -61,9 +62,10 @@ struct WallStage {
   static void call(State<Case>& s) {
     constexpr int width = Contacts<Case>::row_width;
     for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
-      dense_walls<Case, W, PipeSurface<Case>>(
-          s.contacts.pipe, s.particles, chunk, s.near_list.is_still(s.near_list.velocities_of(chunk)),
-          s.contacts.ring(0) + first_pipe_row(s.contacts, chunk) * width, s.watch[chunk]);
+      for_each_wall_row<Case>(s.contacts, chunk, [&](auto& walls, int first_row) {
+        dense_walls<Case, W>(walls, s.particles, chunk, s.near_list.is_still(s.near_list.velocities_of(chunk)),
+                             s.contacts.ring(0) + first_row * width, s.monitor[chunk]);
+      });
   }
 };
 
@@ -97,7 +99,7 @@ struct MotionStage {
   static constexpr Contacting contacting = Contacting::none;
   static void call(State<Case>& s) {
     for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
-      move<Case, W>(s.contacts, s.particles, chunk, s.contacts.ring(0), s.watch[chunk]);
+      move<Case, W>(s.contacts, s.particles, chunk, s.contacts.ring(0), s.monitor[chunk]);
   }
 };
 

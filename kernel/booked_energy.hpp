@@ -16,7 +16,7 @@
 
 #include "contact_law.hpp"
 #include "contacts.hpp"
-#include "watch.hpp"
+#include "step_monitor.hpp"
 
 namespace fixdem {
 
@@ -24,23 +24,23 @@ template <class Case, int W, bool present = Case::energy_ledger>
 struct BookedEnergy {
   static constexpr int lanes = Capacity<Case>::batch, doubles = is_mixed<Case> && W > 1 ? W / 2 : W;
   Partials<doubles, lanes> damping_power, sliding_work, law_work;
-  FIXDEM_INLINE explicit BookedEnergy(const Watch<Case>& watch)
-      : damping_power(watch.ledger.damping_power),
-        sliding_work(watch.ledger.sliding_work),
-        law_work(watch.ledger.law_work) {}
-  FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
-    damping_power.put_back(watch.ledger.damping_power);
-    sliding_work.put_back(watch.ledger.sliding_work);
-    law_work.put_back(watch.ledger.law_work);
+  FIXDEM_INLINE explicit BookedEnergy(const StepMonitor<Case>& monitor)
+      : damping_power(monitor.ledger.damping_power),
+        sliding_work(monitor.ledger.sliding_work),
+        law_work(monitor.ledger.law_work) {}
+  FIXDEM_INLINE void put_back(StepMonitor<Case>& monitor) const {
+    damping_power.put_back(monitor.ledger.damping_power);
+    sliding_work.put_back(monitor.ledger.sliding_work);
+    law_work.put_back(monitor.ledger.law_work);
   }
   /// Of W contacts from `lane` of their batch on, the first `valid`: lanes behind the last contact of a range repeat
   /// it.
   template <class V>
   FIXDEM_INLINE void book(int lane, int valid, const ContactForce<V>& f) {
     const auto counts = load<V>(lane_numbers) < splat<V>(valid);
-    add(damping_power, lane, keep(counts, f.damping_power));
-    add(sliding_work, lane, keep(counts, f.sliding_work));
-    add(law_work, lane, keep(counts, f.law_work));
+    add(damping_power, lane, where(counts, f.damping_power));
+    add(sliding_work, lane, where(counts, f.sliding_work));
+    add(law_work, lane, where(counts, f.law_work));
   }
 
  private:
@@ -60,8 +60,8 @@ struct BookedEnergy {
 };
 template <class Case, int W>
 struct BookedEnergy<Case, W, false> {
-  FIXDEM_INLINE explicit BookedEnergy(const Watch<Case>&) {}
-  FIXDEM_INLINE void put_back(Watch<Case>&) const {}
+  FIXDEM_INLINE explicit BookedEnergy(const StepMonitor<Case>&) {}
+  FIXDEM_INLINE void put_back(StepMonitor<Case>&) const {}
   template <class V>
   FIXDEM_INLINE void book(int, int, const ContactForce<V>&) {}
 };
@@ -77,18 +77,19 @@ struct EnergyEntries {
     store(law_work + k, f.law_work);
   }
   /// Those of the contacts from `begin` to `end`, which are of one range.
-  void sum(int begin, int end, Watch<Case>& watch) const {
-    double damping = watch.ledger.damping_power[0], sliding = watch.ledger.sliding_work[0];
-    double law = watch.ledger.law_work[0];
+  void sum(int begin, int end, StepMonitor<Case>& monitor) const {
+    double damping = monitor.ledger.damping_power[0], sliding = monitor.ledger.sliding_work[0];
+    double law = monitor.ledger.law_work[0];
     for (int k = begin; k < end; ++k) damping += damping_power[k], sliding += sliding_work[k], law += law_work[k];
-    watch.ledger.damping_power[0] = damping, watch.ledger.sliding_work[0] = sliding, watch.ledger.law_work[0] = law;
+    monitor.ledger.damping_power[0] = damping, monitor.ledger.sliding_work[0] = sliding,
+    monitor.ledger.law_work[0] = law;
   }
 };
 template <class Case, int Room>
 struct EnergyEntries<Case, Room, false> {
   template <class V>
   FIXDEM_INLINE void put(int, const ContactForce<V>&) {}
-  void sum(int, int, Watch<Case>&) const {}
+  void sum(int, int, StepMonitor<Case>&) const {}
 };
 
 }  // namespace fixdem

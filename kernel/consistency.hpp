@@ -44,7 +44,6 @@ bool names_row_below(Offset offset, int end) {
 template <class Case>
 bool are_particles_consistent(const Particles<Case>& p) {
   constexpr int count = Case::particle_count;
-  if (!check_places(p).ok()) return false;
   for (int i = 0; i < count; ++i) {
     const double z = p.position[i][2];
     if (p.id[i] < 0 || p.id[i] >= count) return false;
@@ -193,15 +192,15 @@ template <class Case>
 bool is_consistent(const State<Case>& s) {
   const Contacts<Case>& contacts = s.contacts;
   if (!s.status.ok() || s.step < 0 || !s.kept.is_empty()) return false;
-  if (!detail::are_particles_consistent(s.particles)) return false;
+  if (!check_places(contacts, s.particles).ok() || !detail::are_particles_consistent(s.particles)) return false;
   const OuterList<Case>& outer = s.near_list.outer;
   if (!detail::is_outer_list_consistent(outer) || contacts.span != outer.span) return false;
   if (!detail::is_next_sort_consistent(s.near_list, s.step)) return false;
   if (!detail::are_pairs_consistent<Case>(contacts.pairs, outer)) return false;
-  if constexpr (Case::has_wall)
-    if (!detail::are_walls_consistent<Case>(contacts.pipe)) return false;
-  if constexpr (Derived<Case>::has_ends)
-    if (!detail::are_walls_consistent<Case>(contacts.ends)) return false;
+  bool are_walls_consistent = true;
+  for_each_wall(contacts,
+                [&](const auto& walls) { are_walls_consistent &= detail::are_walls_consistent<Case>(walls); });
+  if (!are_walls_consistent) return false;
   if (!detail::are_flags(contacts.slots_are_stale) || !detail::are_flags(contacts.has_rows) ||
       !detail::are_flags(contacts.has_sums))
     return false;

@@ -96,7 +96,7 @@ FIXDEM_INLINE TangentialSpring<V> tangential_spring(const Springs<V>& k, Mask to
   constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
   TangentialSpring<V> s{k.tangential_stiffness, splat<V>(Case::time_step), splat<V>(1.0), k.damping};
   if constexpr (!keeps_displacement) {
-    s.to_force = keep(touching, splat<V>(1.0));  // a contact that has opened still holds its last force
+    s.to_force = where(touching, splat<V>(1.0));  // a contact that has opened still holds its last force
     s.gain = constant<V>(Case::time_step) * k.tangential_stiffness;
   }
   if constexpr (Law::tangential_damping != Law::damping)
@@ -134,7 +134,7 @@ FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const
       const SlidSpring<V> slid =
           exact_return<Case::tangential != TangentialLaw::rescale>(kept, way, last_limit, limit, s.to_force, slides);
       t.spring = select(slides, slid.spring, trial);
-      t.last_limit = keep(slides, slid.limit);
+      t.last_limit = where(slides, slid.limit);
     } else {
       t.spring = capped(trial, s.to_force * s.to_force * dot(trial, trial), limit);
     }
@@ -192,7 +192,7 @@ FIXDEM_INLINE Vec3<V> stuck_spring(const TangentialSpring<V>& s, V gain, const V
       if (const auto by_far = q > constant<V>(greatest_turn); any(by_far & turns))
         longer =
             select(by_far, constant<V>(1) / sqrt(max(constant<V>(1) - q, splat<V>(1e-6))) - constant<V>(1), longer);
-      spring = add_scaled(spring, s.ratio * keep(turns, longer), subtract_scaled(kept, out_of_plane, n));
+      spring = add_scaled(spring, s.ratio * where(turns, longer), subtract_scaled(kept, out_of_plane, n));
     }
   }
   return spring;
@@ -257,15 +257,15 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
                                                           constant<V>(Case::friction) * abs(normal_force));
       force = select(slides, subtract_scaled(t.force, normal_force, n), force);
       spring = select(slides, t.spring, spring);
-      if constexpr (Case::slider == Slider::exact) last_limit = keep(slides, t.last_limit);
+      if constexpr (Case::slider == Slider::exact) last_limit = where(slides, t.last_limit);
       if constexpr (Case::energy_ledger) {
         damping_power =
             select(slides, fused(k.damping * damped_velocity, mean_velocity, t.damping_power), damping_power);
-        sliding_work = keep(slides, t.sliding_work);
+        sliding_work = where(slides, t.sliding_work);
       }
     }
     if constexpr (Case::energy_ledger) law_work = work_of_law<Case>(before, spring, k.tangential_stiffness, touching);
-    history.spring = {keep(touching, spring.x), keep(touching, spring.y), keep(touching, spring.z)};
+    history.spring = {where(touching, spring.x), where(touching, spring.y), where(touching, spring.z)};
     if constexpr (Case::slider == Slider::exact) history.last_limit = last_limit;
     return {force, damping_power, sliding_work, law_work};
   }

@@ -125,11 +125,11 @@ FIXDEM_INLINE const auto* partners_of(const Batches& batches, int batch) {
 /// without.
 template <class Case, int W, class Side, class Batches>
 void dense_contacts(const Side side, Batches& batches, int first, int count, bool are_still, Real<Case>* rows,
-                    Watch<Case>& watch) {
+                    StepMonitor<Case>& monitor) {
   constexpr int width = Particles<Case>::motion_width, lanes = Capacity<Case>::batch;
   constexpr int size = Side::Law::history_size;
-  Partials<W, lanes, Real<Case>> overlap(watch.overlap);
-  BookedEnergy<Case, W> energy(watch);
+  Partials<W, lanes, Real<Case>> overlap(monitor.overlap);
+  BookedEnergy<Case, W> energy(monitor);
   auto* history = detail::dense_histories<Case, size>(batches, first);
   const auto place = [&](int k) FIXDEM_INLINE_LAMBDA {
     return detail::InPlace<Case, W>{history + k / lanes * size, k % lanes, count - k, rows + k * width, &energy};
@@ -139,8 +139,8 @@ void dense_contacts(const Side side, Batches& batches, int first, int count, boo
     detail::all_contacts<Case, W, SlidingLanes::left>(side, owner, partner, count, place, overlap);
   else if constexpr (Derived<Case>::has_friction)
     detail::all_contacts<Case, W, SlidingLanes::computed>(side, owner, partner, count, place, overlap);
-  overlap.put_back(watch.overlap);
-  energy.put_back(watch);
+  overlap.put_back(monitor.overlap);
+  energy.put_back(monitor);
 }
 
 }  // namespace fixdem

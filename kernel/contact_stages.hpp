@@ -10,32 +10,26 @@
 
 namespace fixdem {
 
-/// What a side knows of W contacts before any root: `measure` is the square of a distance, or a difference of squares.
-template <class V>
-struct Separation {
-  Vec3<V> way;
-  V measure;
-};
-
 /// Separation of W contacts in floats from parts computed in double: part(width, first lane).
 template <int W, class Part>
 FIXDEM_INLINE Separation<Lanes<W, float>> narrowed(Part&& part) {
   if constexpr (W == 1) {
     const Separation<double> s = part(std::integral_constant<int, 1>{}, 0);
-    return {{narrow(s.way.x), narrow(s.way.y), narrow(s.way.z)}, narrow(s.measure)};
+    return {{narrow(s.separation.x), narrow(s.separation.y), narrow(s.separation.z)}, narrow(s.gap_square)};
   } else {
     const std::integral_constant<int, W / 2> width;
     const Separation<Lanes<W / 2>> a = part(width, 0), b = part(width, W / 2);
-    return {{narrow(a.way.x, b.way.x), narrow(a.way.y, b.way.y), narrow(a.way.z, b.way.z)},
-            narrow(a.measure, b.measure)};
+    return {{narrow(a.separation.x, b.separation.x), narrow(a.separation.y, b.separation.y),
+             narrow(a.separation.z, b.separation.z)},
+            narrow(a.gap_square, b.gap_square)};
   }
 }
 
 /// Separation of W contacts and its root, as the first stage leaves them.
 template <class Case, int W>
 struct StoredSeparation {
-  alignas(64) Real<Case> way[3][W];
-  alignas(64) Real<Case> measure[W], root[W];
+  alignas(64) Real<Case> separation[3][W];
+  alignas(64) Real<Case> gap_square[W], root[W];
 };
 
 /// What the law takes up of W contacts.
@@ -51,7 +45,7 @@ namespace detail {
 template <class Side, class V>
 FIXDEM_INLINE V root_of(const Side& side, const Separation<V>& s) {
   if constexpr (Side::has_root)
-    return side.root(s.measure);
+    return side.root(s.gap_square);
   else
     return V{};
 }
@@ -59,19 +53,19 @@ FIXDEM_INLINE V root_of(const Side& side, const Separation<V>& s) {
 template <class Case, int W, class Side>
 FIXDEM_INLINE void store_separation(const Side& side, const Separation<Lanes<W, Real<Case>>>& s,
                                     StoredSeparation<Case, W>& to) {
-  store(to.way[0], s.way.x);
-  store(to.way[1], s.way.y);
-  if constexpr (!Side::is_flat) store(to.way[2], s.way.z);
-  if constexpr (Side::needs_measure) store(to.measure, s.measure);
+  store(to.separation[0], s.separation.x);
+  store(to.separation[1], s.separation.y);
+  if constexpr (!Side::is_flat) store(to.separation[2], s.separation.z);
+  if constexpr (Side::needs_gap_square) store(to.gap_square, s.gap_square);
   if constexpr (Side::has_root) store(to.root, root_of(side, s));
 }
 
 template <class Case, int W, class Side>
 FIXDEM_INLINE Separation<Lanes<W, Real<Case>>> stored_separation(const StoredSeparation<Case, W>& from) {
   using V = Lanes<W, Real<Case>>;
-  Separation<V> s{{load<V>(from.way[0]), load<V>(from.way[1]), V{}}, V{}};
-  if constexpr (!Side::is_flat) s.way.z = load<V>(from.way[2]);
-  if constexpr (Side::needs_measure) s.measure = load<V>(from.measure);
+  Separation<V> s{{load<V>(from.separation[0]), load<V>(from.separation[1]), V{}}, V{}};
+  if constexpr (!Side::is_flat) s.separation.z = load<V>(from.separation[2]);
+  if constexpr (Side::needs_gap_square) s.gap_square = load<V>(from.gap_square);
   return s;
 }
 
@@ -111,13 +105,13 @@ struct InPlace {
   Real<Case>* row;
   BookedEnergy<Case, W>* energy;
   template <class V, int Count>
-  FIXDEM_INLINE KeptNumbers<V, Count> kept() const {
+  FIXDEM_INLINE KeptNumbers<V, Count> loaded_numbers() const {
     KeptNumbers<V, Count> numbers{};
     for (int c = 0; c < Count; ++c) numbers.value[c] = load<V>(history[c] + lane);
     return numbers;
   }
   template <class V, int Count>
-  FIXDEM_INLINE void keep(const KeptNumbers<V, Count>& numbers) const {
+  FIXDEM_INLINE void store_numbers(const KeptNumbers<V, Count>& numbers) const {
     for (int c = 0; c < Count; ++c) store(history[c] + lane, numbers.value[c]);
   }
   template <class V>
@@ -128,8 +122,8 @@ struct InPlace {
 
 /// History of W contacts, and its return; places as ContactLaw says.
 template <class Law, class Case, class V, class Place>
-FIXDEM_INLINE History<V> remembered(const Place& place) {
-  const KeptNumbers<V, Law::history_size> kept = place.template kept<V, Law::history_size>();
+FIXDEM_INLINE History<V> loaded_history(const Place& place) {
+  const KeptNumbers<V, Law::history_size> kept = place.template loaded_numbers<V, Law::history_size>();
   const auto vector = [&](int c) FIXDEM_INLINE_LAMBDA {
     return Vec3<V>{kept.value[c], kept.value[c + 1], kept.value[c + 2]};
   };
@@ -142,7 +136,7 @@ FIXDEM_INLINE History<V> remembered(const Place& place) {
   return h;
 }
 template <class Law, class Case, class Place, class V>
-FIXDEM_INLINE void remember(const Place& place, const History<V>& h) {
+FIXDEM_INLINE void store_history(const Place& place, const History<V>& h) {
   KeptNumbers<V, Law::history_size> kept{};
   const auto vector = [&](int c, const Vec3<V>& a) FIXDEM_INLINE_LAMBDA {
     kept.value[c] = a.x, kept.value[c + 1] = a.y, kept.value[c + 2] = a.z;
@@ -152,7 +146,7 @@ FIXDEM_INLINE void remember(const Place& place, const History<V>& h) {
   if constexpr (takes_impulses<Case>) kept.value[Law::state_function_place] = h.state_function;
   if constexpr (Law::limit_place > Law::stiffness_place) kept.value[Law::stiffness_place] = h.last_tangential_stiffness;
   if constexpr (Law::history_size > Law::limit_place) kept.value[Law::limit_place] = h.last_limit;
-  place.template keep<V, Law::history_size>(kept);
+  place.template store_numbers<V, Law::history_size>(kept);
 }
 
 /// The law of W contacts, their history and force rows. `motion`: theirs. False when some lane slides and that is
@@ -168,7 +162,7 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>
   if constexpr (!Side::is_flat) n.z = load<V>(g.normal[2]);
 
   const V normal_velocity = dot(motion.velocity, n);
-  History<V> history = remembered<Law, Case, V>(place);
+  History<V> history = loaded_history<Law, Case, V>(place);
   Vec3<V> surface_velocity = motion.velocity;
   if constexpr (has_friction) surface_velocity = add_cross(motion.velocity, motion.spin, n);
 
@@ -189,7 +183,7 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>
   }
   if (!is_done) return false;
 
-  remember<Law, Case>(place, history);
+  store_history<Law, Case>(place, history);
   using RowStore = RowLanes<W, Real<Case>>;
   if constexpr (has_friction) {
     const Vec3<V> torque = cross(n, f.force);  // eq. (14); scaled by r in motion.hpp

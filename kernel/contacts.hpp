@@ -15,6 +15,8 @@
 #include "contact_law.hpp"
 #include "particles.hpp"
 #include "rows.hpp"
+#include "surfaces.hpp"
+#include "validity.hpp"
 
 namespace fixdem {
 
@@ -61,14 +63,17 @@ struct HistoryBatches<Case, Batches, 0> {
 
 }  // namespace detail
 
+/// Walls that a particle can touch at the same time, each at one place.
+template <class Case>
+inline constexpr int kinds_of_wall = (PipeSurface<Case>::is_present ? 1 : 0) + (EndSurfaces<Case>::is_present ? 1 : 0);
+
 /// Numbering of the force rows of a step: the pairs across the ends, a row of zeros, and as many chunks in turn as the
 /// span makes necessary.
 template <class Case>
 struct Rows {
   using Cap = Capacity<Case>;
   using D = Derived<Case>;
-  static constexpr int of_chunk =
-      Cap::chunk_pairs + (Case::has_wall ? Cap::chunk_size : 0) + (D::has_ends ? Cap::chunk_size : 0);
+  static constexpr int of_chunk = Cap::chunk_pairs + kinds_of_wall<Case> * Cap::chunk_size;
   static constexpr int wrap_first = 0;
   static constexpr int zero = D::is_periodic ? Cap::wrap_pairs : 0;
   static constexpr int chunks_first = zero + Cap::batch;
@@ -104,8 +109,9 @@ struct PairBatches {
   alignas(64) typename Rows<Case>::Offset partner[batches][Cap::batch];
   [[no_unique_address]] detail::HistoryBatches<Case, batches, history_size> history;
   std::uint16_t touching[batches];  ///< sparse ranges: a bit for each lane that touched, or was given a history
-  int count[ranges];                ///< pairs in each range; the last batch is filled up with copies of its last pair
-  bool sparse[ranges];              ///< so few of them touch that those are looked up first (sparse_contacts.hpp)
+  Validity validity[ranges];
+  int count[ranges];    ///< pairs in each range; the last batch is filled up with copies of its last pair
+  bool sparse[ranges];  ///< so few of them touch that those are looked up first (sparse_contacts.hpp)
 
   auto history_of(int range, int k) { return history.of(sparse[range], first(range), k); }
   auto history_of(int range, int k) const { return history.of(sparse[range], first(range), k); }
@@ -129,9 +135,11 @@ struct PairRange {
 };
 
 /// Near walls of one kind; at most one contact of a kind per particle.
-template <class Case, bool present>
+template <class Case, class WallSurface, bool is_present = WallSurface::is_present>
 struct WallBatches {
+  using Surface = WallSurface;
   using Cap = Capacity<Case>;
+  static constexpr Surface surface{};
   static constexpr int history_size = ContactLaw<Case, true>::history_size;
   static constexpr int batches_per_chunk = Cap::chunk_size / Cap::batch;
   static constexpr int batches = Cap::chunks * batches_per_chunk;
@@ -141,6 +149,7 @@ struct WallBatches {
   alignas(64) typename Rows<Case>::Offset owner[batches][Cap::batch];
   [[no_unique_address]] detail::HistoryBatches<Case, batches, history_size> history;
   std::uint16_t touching[batches];
+  Validity validity[Cap::chunks];
   int count[Cap::chunks];
   bool sparse[Cap::chunks];
 
@@ -150,8 +159,8 @@ struct WallBatches {
     touching[first(chunk) + k / Cap::batch] |= static_cast<std::uint16_t>(1u << k % Cap::batch);
   }
 };
-template <class Case>
-struct WallBatches<Case, false> {};
+template <class Case, class Surface>
+struct WallBatches<Case, Surface, false> {};
 
 /// Batches that hold so many contacts.
 template <class Case>
@@ -194,8 +203,8 @@ struct Contacts {
   using Cap = Capacity<Case>;
   static constexpr int row_width = Particles<Case>::motion_width;
   PairBatches<Case> pairs;
-  [[no_unique_address]] WallBatches<Case, Case::has_wall> pipe;
-  [[no_unique_address]] WallBatches<Case, D::has_ends> ends;
+  [[no_unique_address]] WallBatches<Case, PipeSurface<Case>> pipe;
+  [[no_unique_address]] WallBatches<Case, EndSurfaces<Case>> ends;
 
   /// A ring of force rows for each step of a tile, with the rows that it keeps for its second phase. They are dealt out
   /// by the span as it is at the last sort; the deepest tile has room for all at the span of a pipe that is a third
@@ -242,7 +251,7 @@ struct Contacts {
   alignas(64) Real<Case> sum[Case::particle_count][row_width];
 
   /// Rows a particle can own: its near pairs, the pipe wall and an end wall.
-  static constexpr int max_slots = Cap::neighbours + (Case::has_wall ? 1 : 0) + (D::has_ends ? 1 : 0);
+  static constexpr int max_slots = Cap::neighbours + kinds_of_wall<Case>;
   /// Slot entries: particle, k own rows, k incoming rows; read four numbers at a time, beyond the last too. Bucket k of
   /// a chunk has `bucket[chunk][k]` particles.
   union {
@@ -260,6 +269,17 @@ struct Contacts {
     return {rows + at * row_width, row_owner + at, row_partner + at, &rows_for_later[step][place]};
   }
 };
+
+/// Calls f(walls) for each kind of wall that the case has; `contacts` may be const.
+template <class Case, class F>
+FIXDEM_INLINE void for_each_wall(Contacts<Case>& contacts, F&& f) {
+  if constexpr (PipeSurface<Case>::is_present) f(contacts.pipe);
+  if constexpr (EndSurfaces<Case>::is_present) f(contacts.ends);
+}
+template <class Case, class F>
+FIXDEM_INLINE void for_each_wall(const Contacts<Case>& contacts, F&& f) {
+  for_each_wall(const_cast<Contacts<Case>&>(contacts), [&](const auto& walls) FIXDEM_INLINE_LAMBDA { f(walls); });
+}
 
 /// Particles of a chunk; all but the last are full.
 template <class Case>

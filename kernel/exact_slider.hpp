@@ -60,11 +60,11 @@ FIXDEM_INLINE SlidSpring<V> exact_return(const Vec3<V>& kept, const Vec3<V>& way
     if constexpr (stays_on_limit) first = select(slid, last, first);
     const V growth = limit - first, a = fused_minus(growth, growth, way_square), b = fused_minus(first, growth, along);
     V c = fused_minus(first, first, square);
-    if constexpr (stays_on_limit) c = keep(began, c);
+    if constexpr (stays_on_limit) c = where(began, c);
     const V root = sqrt(max(fused_minus(a, c, b * b), V{}));
     const Mask outwards = b > V{};
     const V s = max(select(outwards, -c, root - b) / max(select(outwards, b + root, a), least), V{});
-    start = keep(enters, s < one ? s : one);
+    start = where(enters, s < one ? s : one);
     at_start = select(enters, fused(start, growth, first), at_start);
     h_start = add_scaled(h, start, D);
   }

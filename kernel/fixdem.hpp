@@ -33,7 +33,7 @@ class Simulation {
     s_.step = s_.histories_given_at = 0;
     s_.status = {};
     s_.deepest = 0;
-    for (auto& watch : s_.watch) watch = {};
+    for (auto& monitor : s_.monitor) monitor = {};
     s_.near_list.most_neighbours = s_.near_list.most_chunk_pairs = s_.near_list.most_wrap_pairs = 0;
     s_.near_list.most_reach = 0;
     s_.near_list.listings = s_.near_list.sorts = 0;
@@ -85,15 +85,12 @@ class Simulation {
         return;
       }
       const int row = row_of(owner);
-      const auto set_wall = [&](auto& walls) {
+      for_each_wall(s_.contacts, [&](auto& walls) {
+        if ((partner == pipe_wall) != (walls.surface.kept_as == pipe_wall)) return;
         for_each_near_wall_in<Case>(walls, row / Capacity<Case>::chunk_size, [&](int chunk, int k, int i) {
           if (i == row) set(walls, chunk, k, 1);
         });
-      };
-      if constexpr (Case::has_wall)
-        if (partner == pipe_wall) set_wall(s_.contacts.pipe);
-      if constexpr (D::has_ends)
-        if (partner != pipe_wall) set_wall(s_.contacts.ends);
+      });
     }
   }
 
@@ -151,11 +148,11 @@ class Simulation {
       e.elastic_tangential += seen.elastic_tangential;
     });
     if constexpr (Case::energy_ledger) {
-      for (const Watch<Case>& watch : s_.watch) {
-        e.dissipated_damping += D::mass * sum_of(watch.ledger.damping_power);
-        e.dissipated_sliding += D::mass / Case::time_step * sum_of(watch.ledger.sliding_work);
-        e.made_by_law += D::mass / Case::time_step * sum_of(watch.ledger.law_work);
-        e.gas_work += D::mass * sum_of(watch.ledger.gas_work);
+      for (const StepMonitor<Case>& monitor : s_.monitor) {
+        e.dissipated_damping += D::mass * sum_of(monitor.ledger.damping_power);
+        e.dissipated_sliding += D::mass / Case::time_step * sum_of(monitor.ledger.sliding_work);
+        e.made_by_law += D::mass / Case::time_step * sum_of(monitor.ledger.law_work);
+        e.gas_work += D::mass * sum_of(monitor.ledger.gas_work);
       }
     }
     e.gravity_work = D::mass * work_of_gravity();
@@ -223,10 +220,9 @@ class Simulation {
 
   void clear_contacts() {
     for (int c = 0; c < PairBatches<Case>::ranges; ++c) s_.contacts.pairs.count[c] = 0;
-    for (int c = 0; c < Capacity<Case>::chunks; ++c) {
-      if constexpr (Case::has_wall) s_.contacts.pipe.count[c] = 0;
-      if constexpr (D::has_ends) s_.contacts.ends.count[c] = 0;
-    }
+    for_each_wall(s_.contacts, [](auto& walls) {
+      for (int& count : walls.count) count = 0;
+    });
     if constexpr (keeps_history<Case>) s_.kept.clear();
     for (auto& r : s_.contacts.rows) r = 0;
     for (auto& sum : s_.contacts.sum)
@@ -242,8 +238,7 @@ class Simulation {
       };
     };
     for_each_near_pair(s_.contacts, mark(s_.contacts.pairs));
-    if constexpr (Case::has_wall) for_each_near_wall<Case>(s_.contacts.pipe, mark(s_.contacts.pipe));
-    if constexpr (D::has_ends) for_each_near_wall<Case>(s_.contacts.ends, mark(s_.contacts.ends));
+    for_each_wall(s_.contacts, [&](auto& walls) { for_each_near_wall<Case>(walls, mark(walls)); });
   }
 
   /// The contact with the greatest overlap, as a fault where it is beyond the limit.

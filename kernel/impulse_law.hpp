@@ -60,7 +60,7 @@ FIXDEM_INLINE NormalImpulse<V> normal_impulse(const OverlapRoots<V>& at, V veloc
   }
   const V resisted = fused(splat<V>(0.5 * bodies), damping, one), inverse = one / (resisted * at.overlap);
   const V resisted_velocity = fused(splat<V>(-0.5 * bodies), stiffness * at.overlap, velocity) * (inverse * at.overlap);
-  const V change = keep(pressed, resisted_velocity - velocity);  // (v' - v)/2
+  const V change = where(pressed, resisted_velocity - velocity);  // (v' - v)/2
 
   NormalImpulse<V> p;
   const V way_before = constant<V>(half_step) * velocity;
@@ -100,12 +100,12 @@ FIXDEM_INLINE NormalImpulse<V> normal_impulse(const OverlapRoots<V>& at, V veloc
     state_before = select(in_full, e.state_before, state_before);
     p.share_of_step = select(in_full, e.share_of_step, one);
   }
-  p.state_function = keep(pressed, state);
-  p.tangential_damping = keep(touching, damping * damping_mean);
+  p.state_function = where(pressed, state);
+  p.tangential_damping = where(touching, damping * damping_mean);
   constexpr double exponent = is_hertz ? 0.8 : 1;
   p.damping =
-      keep(touching, constant<V>(exponent * Law::damping / Case::time_step) * (p.state_function - state_before));
-  p.total = keep(touching, elastic) + p.damping;
+      where(touching, constant<V>(exponent * Law::damping / Case::time_step) * (p.state_function - state_before));
+  p.total = where(touching, elastic) + p.damping;
   return p;
 }
 
@@ -125,14 +125,14 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
   if constexpr (!Derived<Case>::has_friction) {
     return {scale(-p.total, n), normal_power};
   } else {
-    V stiffness = keep(pressed, splat<V>(Law::tangential_stiffness));
+    V stiffness = where(pressed, splat<V>(Law::tangential_stiffness));
     if constexpr (Derived<Case>::is_hertz) stiffness = constant<V>(Law::tangential_stiffness) * at.root;
     stiffness = stiffness * detail::square_of_sinc(constant<V>(0.875 * Law::bodies * Case::time_step) * stiffness);
     [[maybe_unused]] const LastSpring<V> before =
         last_spring<Case>(history.spring, history.last_tangential_stiffness, stiffness);
     const TangentialSpring<V> s =
         tangential_spring<Law, Case>(Springs<V>{V{}, p.tangential_damping, stiffness}, pressed, history);
-    const V half = keep(known, splat<V>(0.5));
+    const V half = where(known, splat<V>(0.5));
     const Vec3<V>& last = history.last_velocity;
     const Vec3<V> middle = {fused(half, u.x - last.x, u.x), fused(half, u.y - last.y, u.y),
                             fused(half, u.z - last.z, u.z)};  // surface velocity in the middle of the step
@@ -161,17 +161,17 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
                                                           before.force, constant<V>(Case::friction) * abs(p.total));
       force = select(slides, subtract_scaled(t.force, p.total, n), force);
       spring = select(slides, t.spring, spring);
-      if constexpr (Case::slider == Slider::exact) last_limit = keep(slides & pressed, t.last_limit);
+      if constexpr (Case::slider == Slider::exact) last_limit = where(slides & pressed, t.last_limit);
       if constexpr (Case::energy_ledger) {
         damping_power = select(slides, normal_power + t.damping_power, damping_power);
-        sliding_work = keep(slides & pressed, t.sliding_work);
+        sliding_work = where(slides & pressed, t.sliding_work);
       }
     }
     if constexpr (Case::energy_ledger) law_work = work_of_law<Case>(before, spring, stiffness, pressed);
-    history.spring = {keep(pressed, spring.x), keep(pressed, spring.y), keep(pressed, spring.z)};
-    history.last_velocity = {keep(pressed, u.x), keep(pressed, u.y), keep(pressed, u.z)};
+    history.spring = {where(pressed, spring.x), where(pressed, spring.y), where(pressed, spring.z)};
+    history.last_velocity = {where(pressed, u.x), where(pressed, u.y), where(pressed, u.z)};
     if constexpr (Case::slider == Slider::exact) history.last_limit = last_limit;
-    force = {keep(touching, force.x), keep(touching, force.y), keep(touching, force.z)};
+    force = {where(touching, force.x), where(touching, force.y), where(touching, force.z)};
     return {force, damping_power, sliding_work, law_work};
   }
 }

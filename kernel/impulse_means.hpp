@@ -119,9 +119,9 @@ FIXDEM_INLINE WayMeans<V> means_in_full(const OverlapRoots<V>& at, V way_before,
 
   WayMeans<V> m;
   m.elastic = half * (elastic_mean<is_hertz>(before, now, share_before) +
-                      keep(pressed, elastic_mean<is_hertz>(now, after, share_after)));
+                      where(pressed, elastic_mean<is_hertz>(now, after, share_after)));
   m.damping = half * (damping_mean<is_hertz>(before, now, share_before) +
-                      keep(pressed, damping_mean<is_hertz>(now, of_state, share_of_state)));
+                      where(pressed, damping_mean<is_hertz>(now, of_state, share_of_state)));
   m.state = state_at<is_hertz>(of_state);
   m.state_before = select(found, state_at<is_hertz>(before), last);
   m.share_of_step = one;

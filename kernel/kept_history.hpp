@@ -10,8 +10,6 @@
 
 namespace fixdem {
 
-inline constexpr int kept_pipe = -1, kept_end = -2;  ///< partners that are walls; a particle touches one end at most
-
 template <class Case, bool present = keeps_history<Case>>
 class KeptHistory {
  public:
@@ -54,7 +52,6 @@ class KeptHistory {
  private:
   static constexpr int size = ContactLaw<Case, false>::history_size;
   static constexpr int vectors = 3 * ContactLaw<Case, false>::history_vectors;  ///< numbers that change sign
-  static constexpr int kinds_of_wall = (Case::has_wall ? 1 : 0) + (Derived<Case>::has_ends ? 1 : 0);
 
   bool copy(int owner, int partner, Real<Case> sign, const HistoryNumbers<Real<Case>>& numbers) const {
     for (int k = newest_[owner]; k >= 0; k = entry_[k].older) {
@@ -69,7 +66,7 @@ class KeptHistory {
     int partner, older;  ///< of the same owner; its oldest entry has -1 - owner there
     Real<Case> value[size];
   };
-  Entry entry_[PairBatches<Case>::batches * Capacity<Case>::batch + kinds_of_wall * Case::particle_count];
+  Entry entry_[PairBatches<Case>::batches * Capacity<Case>::batch + kinds_of_wall<Case> * Case::particle_count];
   int newest_[Case::particle_count];
   int entries_;
 };
@@ -126,11 +123,11 @@ void keep_pair_histories(const Contacts<Case>& contacts, const Particles<Case>& 
     });
 }
 template <class Case, class Walls>
-void keep_wall_histories(const Walls& walls, const Particles<Case>& p, KeptHistory<Case>& kept, int partner,
-                         int chunk) {
+void keep_wall_histories(const Walls& walls, const Particles<Case>& p, KeptHistory<Case>& kept, int chunk) {
   if constexpr (keeps_history<Case>)
-    for_each_near_wall_in<Case>(
-        walls, chunk, [&](int, int k, int owner) { kept.keep(p.id[owner], partner, walls.history_of(chunk, k)); });
+    for_each_near_wall_in<Case>(walls, chunk, [&](int, int k, int owner) {
+      kept.keep(p.id[owner], Walls::Surface::kept_as, walls.history_of(chunk, k));
+    });
 }
 
 }  // namespace fixdem

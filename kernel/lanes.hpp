@@ -117,7 +117,7 @@ FIXDEM_INLINE V fused_minus(V a, V b, V c) {
 
 /// The lanes of `a` where the mask is set, zero elsewhere.
 template <class Mask, class V>
-FIXDEM_INLINE V keep(Mask mask, V a) {
+FIXDEM_INLINE V where(Mask mask, V a) {
   return select(mask, a, V{});
 }
 

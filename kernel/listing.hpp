@@ -42,17 +42,21 @@ void restore_histories(Batches& batches, const KeptHistory<Case>& kept, int rang
   }
 }
 
-/// Lists the walls of one kind of a chunk: those nearer than the margin of the promise. As far as the nearest of those
-/// that are not listed lies farther away, the promise holds for longer. `partner`: what they are called in `kept`.
-template <class Case, class Walls, class Gap>
-void list_walls(Walls& walls, const Particles<Case>& p, const KeptHistory<Case>& kept, int partner, int chunk,
-                bool pairs_are_sparse, Promise& promise, Gap&& gap_of) {
+}  // namespace detail
+
+/// Lists the walls of one kind of a chunk: those nearer than the margin. As far as the nearest of those that are not
+/// listed lies farther away, the list holds for longer.
+template <class Case, class Walls>
+void list_walls(Walls& walls, const NearList<Case>& near, const Particles<Case>& p, const KeptHistory<Case>& kept,
+                int chunk, bool pairs_are_sparse) {
   const int base = chunk * Capacity<Case>::chunk_size, first = Walls::first(chunk);
+  Validity& validity = walls.validity[chunk];
+  validity.renew(walls.surface.speed(near.velocities[chunk]) * Case::time_step, greatest_wall_margin, Case::diameter);
   double nearest_unlisted = 1e300;
   int k = 0, touching = 0;
   for (int i = 0; i < particles_in<Case>(chunk); ++i) {
-    const double gap = gap_of(p.position[base + i]);
-    if (!(gap < promise.margin)) {
+    const double gap = walls.surface.gap(p.position[base + i]);
+    if (!(gap < validity.margin)) {
       nearest_unlisted = min(gap, nearest_unlisted);
       continue;
     }
@@ -61,26 +65,14 @@ void list_walls(Walls& walls, const Particles<Case>& p, const KeptHistory<Case>&
     walls.owner[batch][lane] = Rows<Case>::offset(i);
     ++k;
   }
-  promise.margin = nearest_unlisted;
+  validity.margin = nearest_unlisted;
   walls.count[chunk] = k;
   walls.sparse[chunk] = pairs_are_sparse || touching <= sparse_below * k;
   const auto owner = [&](int j) {
     return p.id[base + Rows<Case>::number(walls.owner[first + j / Capacity<Case>::batch][j % Capacity<Case>::batch])];
   };
-  restore_histories<Case>(walls, kept, chunk, owner, [&](int) { return partner; });
+  detail::restore_histories<Case>(walls, kept, chunk, owner, [](int) { return Walls::Surface::kept_as; });
 }
-
-/// Distances of a sphere at a place from the pipe's wall, and from the nearer end; m.
-template <class Case>
-double gap_to_pipe(const double* x) {
-  return Derived<Case>::pipe_radius - Derived<Case>::radius - sqrt(fused(x[1], x[1], x[0] * x[0]));
-}
-template <class Case>
-double gap_to_end(const double* x) {
-  return min(x[2], Case::pipe_length - x[2]) - Derived<Case>::radius;
-}
-
-}  // namespace detail
 
 /// Lists the pairs of a range. A fault names the particle whose pair is one too many.
 template <class Case, int W>
@@ -93,8 +85,8 @@ Status list_pairs(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   const PairRange<Case> at(range);
   const int first = PairBatches<Case>::first(range), candidates = outer.pairs[range];
   const auto *owners = outer.owner + outer.first(range), *partners = outer.partner + outer.first(range);
-  near.pairs[range].renew(near.velocities_of(range).spread() * Case::time_step, greatest_margin, Case::diameter);
-  const double cut_off = Case::diameter + near.pairs[range].margin;
+  pairs.validity[range].renew(near.velocities_of(range).spread() * Case::time_step, greatest_margin, Case::diameter);
+  const double cut_off = Case::diameter + pairs.validity[range].margin;
   int k = 0, touching = 0;
   for (int c = 0; c < candidates; c += W) {
     Vec3<V> r = load_differences<W>(p.position[at.partner_base], partners + c, p.position[at.owner_base], owners + c);
@@ -125,22 +117,6 @@ Status list_pairs(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   return {};
 }
 
-/// Lists the walls of a chunk, of each kind whose promise does not hold.
-template <class Case>
-void list_pipe(Contacts<Case>& contacts, NearList<Case>& near, const Particles<Case>& p, const KeptHistory<Case>& kept,
-               int chunk) {
-  near.pipe[chunk].renew(near.velocities[chunk].speed_across() * Case::time_step, greatest_wall_margin, Case::diameter);
-  detail::list_walls(contacts.pipe, p, kept, kept_pipe, chunk, contacts.pairs.sparse[chunk], near.pipe[chunk],
-                     detail::gap_to_pipe<Case>);
-}
-template <class Case>
-void list_ends(Contacts<Case>& contacts, NearList<Case>& near, const Particles<Case>& p, const KeptHistory<Case>& kept,
-               int chunk) {
-  near.ends[chunk].renew(near.velocities[chunk].speed_along() * Case::time_step, greatest_wall_margin, Case::diameter);
-  detail::list_walls(contacts.ends, p, kept, kept_end, chunk, contacts.pairs.sparse[chunk], near.ends[chunk],
-                     detail::gap_to_end<Case>);
-}
-
 /// Before a step of a range, in which its particles have come `way` at most relative to each other: lists again what no
 /// longer holds. Particles have kept their numbers since the last time.
 template <class Case, int W>
@@ -148,7 +124,7 @@ Status keep_listed(Contacts<Case>& contacts, NearList<Case>& near, const Particl
                    int range, double way) {
   using Cap = Capacity<Case>;
   Status status;
-  if (!near.pairs[range].still_holds(way)) {
+  if (!contacts.pairs.validity[range].still_holds(way)) {
     ++near.listings;
     keep_pair_histories(contacts, p, kept, range);
     status = list_pairs<Case, W>(contacts, near, p, kept, range);
@@ -159,21 +135,13 @@ Status keep_listed(Contacts<Case>& contacts, NearList<Case>& near, const Particl
       for (int c = range; c <= range + contacts.span && c < Cap::chunks; ++c) contacts.slots_are_stale[c] = true;
   }
   if (range == Cap::chunks) return status;
-  const VelocityBox& own = near.velocities[range];
-  if constexpr (Case::has_wall)
-    if (!near.pipe[range].still_holds(own.speed_across() * Case::time_step)) {
-      keep_wall_histories(contacts.pipe, p, kept, kept_pipe, range);
-      list_pipe(contacts, near, p, kept, range);
-      kept.forget();
-      contacts.slots_are_stale[range] = true;
-    }
-  if constexpr (Derived<Case>::has_ends)
-    if (!near.ends[range].still_holds(own.speed_along() * Case::time_step)) {
-      keep_wall_histories(contacts.ends, p, kept, kept_end, range);
-      list_ends(contacts, near, p, kept, range);
-      kept.forget();
-      contacts.slots_are_stale[range] = true;
-    }
+  for_each_wall(contacts, [&](auto& walls) {
+    if (walls.validity[range].still_holds(walls.surface.speed(near.velocities[range]) * Case::time_step)) return;
+    keep_wall_histories(walls, p, kept, range);
+    list_walls(walls, near, p, kept, range, contacts.pairs.sparse[range]);
+    kept.forget();
+    contacts.slots_are_stale[range] = true;
+  });
   return status;
 }
 

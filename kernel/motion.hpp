@@ -8,7 +8,7 @@
 #pragma once
 
 #include "contacts.hpp"
-#include "watch.hpp"
+#include "step_monitor.hpp"
 
 namespace fixdem {
 
@@ -33,30 +33,30 @@ struct RowSum {
 template <class Case, int W>
 inline constexpr int motion_step = W < Particles<Case>::motion_width ? W : Particles<Case>::motion_width;
 
-/// Partial values of the watch that the motion loop keeps in registers.
+/// Partial values of the monitor that the motion loop keeps in registers.
 template <class Case, int W>
-struct MotionWatch {
+struct MotionMonitor {
   static constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   Partials<step, width> low, high, square_sum;
-  FIXDEM_INLINE explicit MotionWatch(const Watch<Case>& watch)
-      : low(watch.low), high(watch.high), square_sum(watch.square_sum) {}
-  FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
-    low.put_back(watch.low);
-    high.put_back(watch.high);
-    square_sum.put_back(watch.square_sum);
+  FIXDEM_INLINE explicit MotionMonitor(const StepMonitor<Case>& monitor)
+      : low(monitor.low), high(monitor.high), square_sum(monitor.square_sum) {}
+  FIXDEM_INLINE void put_back(StepMonitor<Case>& monitor) const {
+    low.put_back(monitor.low);
+    high.put_back(monitor.high);
+    square_sum.put_back(monitor.square_sum);
   }
 };
 template <class Case, int W>
-requires(Case::energy_ledger&& Case::has_gas) struct MotionWatch<Case, W> {
+requires(Case::energy_ledger&& Case::has_gas) struct MotionMonitor<Case, W> {
   static constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   Partials<step, width> low, high, square_sum, gas_work;
-  FIXDEM_INLINE explicit MotionWatch(const Watch<Case>& watch)
-      : low(watch.low), high(watch.high), square_sum(watch.square_sum), gas_work(watch.ledger.gas_work) {}
-  FIXDEM_INLINE void put_back(Watch<Case>& watch) const {
-    low.put_back(watch.low);
-    high.put_back(watch.high);
-    square_sum.put_back(watch.square_sum);
-    gas_work.put_back(watch.ledger.gas_work);
+  FIXDEM_INLINE explicit MotionMonitor(const StepMonitor<Case>& monitor)
+      : low(monitor.low), high(monitor.high), square_sum(monitor.square_sum), gas_work(monitor.ledger.gas_work) {}
+  FIXDEM_INLINE void put_back(StepMonitor<Case>& monitor) const {
+    low.put_back(monitor.low);
+    high.put_back(monitor.high);
+    square_sum.put_back(monitor.square_sum);
+    gas_work.put_back(monitor.ledger.gas_work);
   }
 };
 
@@ -94,7 +94,7 @@ template <class Case, int W>
 FIXDEM_INLINE void move_particle(
     std::size_t offset,
     const Lanes<motion_step<Case, W>> (&change)[Particles<Case>::motion_width / motion_step<Case, W>], int base,
-    Particles<Case>& particles, MotionWatch<Case, W>& watch) {
+    Particles<Case>& particles, MotionMonitor<Case, W>& monitor) {
   constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   using V = Lanes<step>;
   using Half = Lanes<(step > 1 ? step / 2 : 1)>;  // the translation in a register of 8
@@ -133,10 +133,10 @@ FIXDEM_INLINE void move_particle(
       store_narrow<step>(row_at<width>(particles.motion_as_float.row[base], offset) + column, moved);
     const V square = moved * moved;
     if (translates) {
-      watch.low.part[p] = min(moved, watch.low.part[p]);
-      watch.high.part[p] = max(moved, watch.high.part[p]);
+      monitor.low.part[p] = min(moved, monitor.low.part[p]);
+      monitor.high.part[p] = max(moved, monitor.high.part[p]);
     }
-    watch.square_sum.part[p] = square + watch.square_sum.part[p];
+    monitor.square_sum.part[p] = square + monitor.square_sum.part[p];
     if constexpr (step == 8) {
       const Half velocity = __builtin_shufflevector(moved, moved, 0, 1, 2, 3);
       store(position, fused(velocity, splat<Half>(Case::time_step), load<Half>(position)));
@@ -151,7 +151,7 @@ FIXDEM_INLINE void move_particle(
         store(last_kick + column, kick);
     }
     if constexpr (Case::has_gas && Case::energy_ledger)
-      watch.gas_work.part[p] = fused(gas, fused(splat<V>(-0.5), kick, moved), watch.gas_work.part[p]);
+      monitor.gas_work.part[p] = fused(gas, fused(splat<V>(-0.5), kick, moved), monitor.gas_work.part[p]);
   }
 }
 
@@ -173,7 +173,7 @@ FIXDEM_INLINE void take_sum(
 /// null where nothing is sparse.
 template <class Case, int W, int k, class Offset>
 FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bucket, int base, const Real<Case>* rows,
-                                        Real<Case>* sum, Particles<Case>& particles, MotionWatch<Case, W>& watch) {
+                                        Real<Case>* sum, Particles<Case>& particles, MotionMonitor<Case, W>& monitor) {
   constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   // Rows are found from their offsets alone: an address from a particle's number takes nine instructions more.
   for (int q = 0; q < particles_in_bucket; ++q, entry += 2 * k + 1) {
@@ -181,28 +181,28 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
     const Offsets<2 * k + 1> at = load_offsets<2 * k + 1>(entry);
     sum_rows<Case, W, k>(at.value + 1, rows, change);
     if (sum != nullptr) take_sum<Case, W>(row_at<width>(sum, at.value[0]), change);
-    move_particle<Case, W>(at.value[0], change, base, particles, watch);
+    move_particle<Case, W>(at.value[0], change, base, particles, monitor);
   }
   return entry;
 }
 
 template <class Case, int W, int k, class Offset>
 FIXDEM_INLINE void move_buckets_from(const Offset* entry, const int* bucket, int base, const Real<Case>* rows,
-                                     Real<Case>* sum, Particles<Case>& particles, MotionWatch<Case, W>& watch) {
-  entry = move_bucket<Case, W, k>(entry, bucket[k], base, rows, sum, particles, watch);
+                                     Real<Case>* sum, Particles<Case>& particles, MotionMonitor<Case, W>& monitor) {
+  entry = move_bucket<Case, W, k>(entry, bucket[k], base, rows, sum, particles, monitor);
   if constexpr (k < Contacts<Case>::max_slots)
-    move_buckets_from<Case, W, k + 1>(entry, bucket, base, rows, sum, particles, watch);
+    move_buckets_from<Case, W, k + 1>(entry, bucket, base, rows, sum, particles, monitor);
 }
 
 /// Moves all particles of a chunk whose contacts are all sparse.
 template <class Case, int W>
 FIXDEM_INLINE void move_by_sums(int particles_in_chunk, int base, Real<Case>* sum, Particles<Case>& particles,
-                                MotionWatch<Case, W>& watch) {
+                                MotionMonitor<Case, W>& monitor) {
   constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   for (int i = 0; i < particles_in_chunk; ++i) {
     Lanes<step> change[width / step] = {};
     take_sum<Case, W>(sum + i * width, change);
-    move_particle<Case, W>(static_cast<std::size_t>(8 * i), change, base, particles, watch);
+    move_particle<Case, W>(static_cast<std::size_t>(8 * i), change, base, particles, monitor);
   }
 }
 
@@ -211,15 +211,15 @@ FIXDEM_INLINE void move_by_sums(int particles_in_chunk, int base, Real<Case>* su
 /// Sums what the contacts of every particle of one chunk give it, and moves it. `rows`: the ring of the step.
 template <class Case, int W>
 void move(Contacts<Case>& contacts, Particles<Case>& particles, int chunk, const Real<Case>* rows,
-          Watch<Case>& totals) {
+          StepMonitor<Case>& totals) {
   const int base = chunk * Capacity<Case>::chunk_size;
-  detail::MotionWatch<Case, W> watch(totals);
+  detail::MotionMonitor<Case, W> monitor(totals);
   if (contacts.has_rows[chunk])
     detail::move_buckets_from<Case, W, 0>(contacts.slots[chunk], contacts.bucket[chunk], base, rows,
-                                          contacts.has_sums[chunk] ? contacts.sum[base] : nullptr, particles, watch);
+                                          contacts.has_sums[chunk] ? contacts.sum[base] : nullptr, particles, monitor);
   else
-    detail::move_by_sums<Case, W>(particles_in<Case>(chunk), base, contacts.sum[base], particles, watch);
-  watch.put_back(totals);
+    detail::move_by_sums<Case, W>(particles_in<Case>(chunk), base, contacts.sum[base], particles, monitor);
+  monitor.put_back(totals);
 }
 
 }  // namespace fixdem

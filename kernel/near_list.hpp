@@ -17,55 +17,11 @@
 #pragma once
 
 #include "outer_list.hpp"
-#include "watch.hpp"
 
 namespace fixdem {
 
-inline constexpr double horizon_steps = 240;  ///< as long as a list of a bed should last; measured optimum 200-300
-/// In diameters. Million particle-steps/s of a plug early and late on Zen 5: 151 and 97 with 0.008, 149 and 98 with
-/// 0.015, 144 and 95 with 0.03; walls with 0.03 are no better.
-inline constexpr double greatest_margin = 0.015, greatest_wall_margin = 0.1, least_margin = 1e-5;
 inline constexpr int order_interval = 16;  ///< steps between two decisions whether to sort
 inline constexpr double speed_growth = 4;  ///< allowed for between two decisions; beyond, the run stops
-
-/// Least and greatest velocity of a group of particles in each component, m/s.
-struct VelocityBox {
-  double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
-
-  void add(const double* least, const double* greatest) {
-    for (int c = 0; c < 3; ++c) low[c] = min(least[c], low[c]), high[c] = max(greatest[c], high[c]);
-  }
-  void add(const VelocityBox& box) { add(box.low, box.high); }
-  /// Bound on the speed of one particle relative to another; zero of no particles.
-  double spread() const { return high[0] < low[0] ? 0 : length(high[0] - low[0], high[1] - low[1], high[2] - low[2]); }
-  /// Bound on the speed relative to `frame`.
-  double speed(const double* frame) const {
-    return length(farthest(0, frame[0]), farthest(1, frame[1]), farthest(2, frame[2]));
-  }
-  double speed() const { return length(farthest(0, 0), farthest(1, 0), farthest(2, 0)); }
-  double speed_across() const { return length(farthest(0, 0), farthest(1, 0), 0); }
-  double speed_along() const { return farthest(2, 0); }
-
- private:
-  double farthest(int c, double frame) const { return max(high[c] - frame, frame - low[c]); }
-  static double length(double x, double y, double z) { return sqrt(fused(z, z, fused(y, y, x * x))); }
-};
-
-/// Until when a list holds.
-struct Promise {
-  double margin, used;  ///< m
-
-  /// `way`: of a step; `greatest` margin in diameters.
-  void renew(double way, double greatest, double diameter) {
-    margin = min(max(way * horizon_steps * 1.2, least_margin * diameter), greatest * diameter);
-    used = 0;
-  }
-  /// A step further; false when the list no longer holds. A NaN counts as that.
-  bool still_holds(double way) {
-    used += way;
-    return used <= margin;
-  }
-};
 
 template <class Case>
 struct NearList {
@@ -74,11 +30,10 @@ struct NearList {
   static constexpr int ranges = PairBatches<Case>::ranges;
 
   VelocityBox velocities[Cap::chunks];  ///< at present
-  Promise pairs[ranges], pipe[Cap::chunks], ends[Cap::chunks];
-  double frame[3];          ///< velocity, m/s
-  double way[Cap::chunks];  ///< bound on the way in that frame since the sort, m
-  long long sorted_at;      ///< step of the last sort
-  long long next_decision;  ///< step at which it is decided whether to sort
+  double frame[3];                      ///< velocity, m/s
+  double way[Cap::chunks];              ///< bound on the way in that frame since the sort, m
+  long long sorted_at;                  ///< step of the last sort
+  long long next_decision;              ///< step at which it is decided whether to sort
   OuterList<Case> outer;
   long long listings, sorts;
 

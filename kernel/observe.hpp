@@ -10,8 +10,6 @@
 
 namespace fixdem {
 
-inline constexpr int pipe_wall = -1, start_end = -2, far_end = -3;  ///< partners that are no particles
-
 /// One contact, seen from its owner.
 struct Contact {
   int owner;                   ///< input number
@@ -117,30 +115,15 @@ void for_each_observed(const State<Case>& s, F&& f) {
     f(observe_contact<Case, false>(p.id[i], p.id[j], overlap, scale(1 / distance, r), m,
                                    contacts.pairs.history_of(range, k)));
   });
-  const auto see_walls = [&](const auto& walls, auto surface, auto name) {
+  for_each_wall(contacts, [&](const auto& walls) {
     for_each_near_wall<Case>(walls, [&](int chunk, int k, int i) {
       Vec3<double> n;
-      const double overlap = surface(p.position[i], n);
+      const double overlap = walls.surface.overlap(p.position[i], n);
       if (!(overlap > 0)) return;
-      f(observe_contact<Case, true>(p.id[i], name(n), overlap, n, motion_of(p, i), walls.history_of(chunk, k)));
+      f(observe_contact<Case, true>(p.id[i], walls.surface.partner(n), overlap, n, motion_of(p, i),
+                                    walls.history_of(chunk, k)));
     });
-  };
-  if constexpr (Case::has_wall)
-    see_walls(
-        contacts.pipe,
-        [](const double* x, Vec3<double>& n) {
-          const double q = sqrt(fused(x[1], x[1], x[0] * x[0])), inverse = 1 / max(q, 1e-300);
-          n = {inverse * x[0], inverse * x[1], 0};
-          return q - PipeSurface<Case>::reach;
-        },
-        [](const Vec3<double>&) { return pipe_wall; });
-  if constexpr (Derived<Case>::has_ends)
-    see_walls(
-        contacts.ends,
-        [](const double* x, Vec3<double>& n) {
-          return EndSurfaces<Case>::resolve(EndSurfaces<Case>::separation(Vec3<double>{x[0], x[1], x[2]}), 0.0, n);
-        },
-        [](const Vec3<double>& n) { return n.z < 0 ? start_end : far_end; });
+  });
 }
 
 template <class Case>

@@ -54,19 +54,19 @@ struct PairSide {
   template <class V>
   FIXDEM_INLINE auto touches(const Separation<V>& s) const {
     if constexpr (is_mixed<Case>)
-      return s.measure > V{};
+      return s.gap_square > V{};
     else
-      return s.measure < d * d;
+      return s.gap_square < d * d;
   }
 
-  static constexpr bool has_root = true, needs_measure = is_mixed<Case>;
+  static constexpr bool has_root = true, needs_gap_square = is_mixed<Case>;
   /// Distance.
   template <class V>
-  FIXDEM_INLINE V root(V measure) const {
+  FIXDEM_INLINE V root(V gap_square) const {
     if constexpr (is_mixed<Case>)
-      return sqrt(constant<V>(d * d) - measure);
+      return sqrt(constant<V>(d * d) - gap_square);
     else
-      return sqrt(measure);
+      return sqrt(gap_square);
   }
   /// Overlap, negative in lanes without contact, and normal.
   template <class V>
@@ -74,10 +74,10 @@ struct PairSide {
     if constexpr (is_mixed<Case>) {
       const V sum = distance + constant<V>(d);
       const V inverse = constant<V>(1) / (distance * sum);
-      n = scale(inverse * sum, s.way);
-      return s.measure * inverse * distance;
+      n = scale(inverse * sum, s.separation);
+      return s.gap_square * inverse * distance;
     } else {
-      n = scale(1.0 / distance, s.way);
+      n = scale(1.0 / distance, s.separation);
       return splat<V>(d) - distance;
     }
   }
@@ -99,9 +99,9 @@ struct PairSide {
     if constexpr (!Particles<Case>::predicts)
       return Vec3<Lanes<W, R>>{};
     else if constexpr (is_mixed<Case>)
-      return narrowed<W>(part).way;
+      return narrowed<W>(part).separation;
     else
-      return part(std::integral_constant<int, W>{}, 0).way;
+      return part(std::integral_constant<int, W>{}, 0).separation;
   }
 };
 
@@ -109,21 +109,21 @@ struct PairSide {
 /// dense_contacts.
 template <class Case, int W>
 void dense_pairs(PairBatches<Case>& pairs, const Particles<Case>& particles, int range, bool are_still,
-                 Real<Case>* rows, Watch<Case>& watch) {
+                 Real<Case>* rows, StepMonitor<Case>& monitor) {
   const PairSide<Case> side(particles, PairRange<Case>(range));
   dense_contacts<Case, contact_lanes<Case, W>>(side, pairs, PairBatches<Case>::first(range), pairs.count[range],
-                                               are_still, rows, watch);
+                                               are_still, rows, monitor);
 }
 
 /// Contacts of the sparse ranges from `begin` to `end` of the near pairs, added to the sums of their particles, or put
 /// into `later` if that is not null.
 template <class Case, int W>
-void sparse_pairs(Contacts<Case>& contacts, const Particles<Case>& particles, int begin, int end, Watch<Case>* watch,
-                  const RowsForLater<Case>* later) {
+void sparse_pairs(Contacts<Case>& contacts, const Particles<Case>& particles, int begin, int end,
+                  StepMonitor<Case>* monitor, const RowsForLater<Case>* later) {
   using Side = PairSide<Case>;
   const Side all(particles, 0, 0, PairRange<Case>(begin).shift);
   SparseContacts<Case, contact_lanes<Case, W>, Side, PairBatches<Case>> sparse(all, contacts.pairs, contacts.sum[0],
-                                                                               watch, later);
+                                                                               monitor, later);
   for (int range = begin; range < end; ++range) {
     if (!contacts.pairs.sparse[range]) continue;
     const PairRange<Case> at(range);

@@ -12,19 +12,20 @@ namespace fixdem {
 
 /// Refuses positions that are no numbers or lie outside the pipe: beyond its wall, or beyond a closed end.
 template <class Case>
-Status check_places(const Particles<Case>& p) {
+Status check_places(const Contacts<Case>& contacts, const Particles<Case>& p) {
   for (int i = 0; i < Case::particle_count; ++i) {
     const double *x = p.position[i], *v = p.motion[i];
     double sum = (x[0] + x[1]) + x[2];
     for (int c = 0; c < Particles<Case>::motion_width; ++c) sum += v[c];
     if (!(sum - sum == 0)) return {Fault::non_finite, p.id[i], 0, sum, 0};
-    const double q = sqrt(x[0] * x[0] + x[1] * x[1]);
-    if (Case::has_wall && q > Derived<Case>::pipe_radius)
-      return {Fault::outside_pipe, p.id[i], 0, q, Derived<Case>::pipe_radius};
+    Status status;
+    for_each_wall(contacts, [&](const auto& walls) {
+      if (status.ok() && walls.surface.is_outside(x))
+        status = {Fault::outside_pipe, p.id[i], 0, walls.surface.place(x), walls.surface.limit};
+    });
+    if (!status.ok()) return status;
     if (Derived<Case>::is_periodic && !(abs(x[2]) < farthest_place * Case::pipe_length))
       return {Fault::outside_pipe, p.id[i], 0, x[2], farthest_place * Case::pipe_length};
-    if (Derived<Case>::has_ends && (x[2] < 0 || x[2] > Case::pipe_length))
-      return {Fault::outside_pipe, p.id[i], 0, x[2], Case::pipe_length};
   }
   return {};
 }
@@ -35,12 +36,11 @@ Status renew(Contacts<Case>& contacts, NearList<Case>& near, Particles<Case>& p,
              ListingScratch<Case>& scratch, long long step) {
   using Cap = Capacity<Case>;
   using D = Derived<Case>;
-  if (const Status status = check_places(p); !status.ok()) return status;
+  if (const Status status = check_places(contacts, p); !status.ok()) return status;
   for (int range = 0; range < NearList<Case>::ranges; ++range) keep_pair_histories(contacts, p, kept, range);
-  for (int chunk = 0; chunk < Cap::chunks; ++chunk) {
-    if constexpr (Case::has_wall) keep_wall_histories(contacts.pipe, p, kept, kept_pipe, chunk);
-    if constexpr (D::has_ends) keep_wall_histories(contacts.ends, p, kept, kept_end, chunk);
-  }
+  for_each_wall(contacts, [&](const auto& walls) {
+    for (int chunk = 0; chunk < Cap::chunks; ++chunk) keep_wall_histories(walls, p, kept, chunk);
+  });
   if constexpr (D::is_periodic) wrap_into_pipe(p);
   sort_by_cell(near.outer, contacts.sort, p);
   for (int i = 0; i < Case::particle_count; ++i) p.note_motion(i);
@@ -50,10 +50,10 @@ Status renew(Contacts<Case>& contacts, NearList<Case>& near, Particles<Case>& p,
 
   for (int range = 0; range < NearList<Case>::ranges; ++range)
     if (const Status status = list_pairs<Case, W>(contacts, near, p, kept, range); !status.ok()) return status;
-  for (int chunk = 0; chunk < Cap::chunks; ++chunk) {
-    if constexpr (Case::has_wall) list_pipe(contacts, near, p, kept, chunk);
-    if constexpr (D::has_ends) list_ends(contacts, near, p, kept, chunk);
-  }
+  for_each_wall(contacts, [&](auto& walls) {
+    for (int chunk = 0; chunk < Cap::chunks; ++chunk)
+      list_walls(walls, near, p, kept, chunk, contacts.pairs.sparse[chunk]);
+  });
   kept.forget();
   for (int chunk = 0; chunk < Cap::chunks; ++chunk)
     if (const Status status = list_slots(contacts, near, p, scratch, chunk); !status.ok()) return status;

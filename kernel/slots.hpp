@@ -16,15 +16,15 @@ template <class Case, class Batches>
 int rows_of(const Batches& batches, int chunk) {
   return batches.sparse[chunk] ? 0 : Capacity<Case>::batch * batches_for<Case>(batches.count[chunk]);
 }
-/// First row of the walls of a chunk, behind its pairs; of the ends, behind the pipe's.
-template <class Case>
-int first_pipe_row(const Contacts<Case>& contacts, int chunk) {
-  return contacts.first_row(chunk) + rows_of<Case>(contacts.pairs, chunk);
-}
-template <class Case>
-int first_end_row(const Contacts<Case>& contacts, int chunk) {
-  int row = first_pipe_row(contacts, chunk);
-  if constexpr (Case::has_wall) row += rows_of<Case>(contacts.pipe, chunk);
+/// Calls f(walls, first row) for each kind of wall; their rows lie behind those of the pairs of the chunk. Returns the
+/// row behind the last.
+template <class Case, class C, class F>
+int for_each_wall_row(C& contacts, int chunk, F&& f) {
+  int row = contacts.first_row(chunk) + rows_of<Case>(contacts.pairs, chunk);
+  for_each_wall(contacts, [&](auto& walls) {
+    f(walls, row);
+    row += rows_of<Case>(walls, chunk);
+  });
   return row;
 }
 
@@ -67,15 +67,13 @@ Status list_slots(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   };
   for (int c = chunk > contacts.span ? chunk - contacts.span : 0; c <= chunk; ++c)
     book_range(c, c * Cap::chunk_size, c * Cap::chunk_size, contacts.first_row(c));
-  const auto book_walls = [&](const auto& walls, int first_row) {
+  for_each_wall_row<Case>(contacts, chunk, [&](const auto& walls, int first_row) {
     if (!is_dense(walls, chunk)) return;
     for (int k = 0; k < walls.count[chunk]; ++k) {
       const int i = R::number(walls.owner[walls.first(chunk) + k / Capacity<Case>::batch][k % Capacity<Case>::batch]);
       scratch.own_row[i][own[i]++] = R::slot_offset(first_row + k);
     }
-  };
-  if constexpr (Case::has_wall) book_walls(contacts.pipe, first_pipe_row(contacts, chunk));
-  if constexpr (Derived<Case>::has_ends) book_walls(contacts.ends, first_end_row(contacts, chunk));
+  });
   if constexpr (Derived<Case>::is_periodic)
     if (near.outer.concerns_ends(chunk)) book_range(Cap::chunks, 0, R::wrap_base, R::wrap_first);
   contacts.has_rows[chunk] = has_rows, contacts.has_sums[chunk] = has_sums;

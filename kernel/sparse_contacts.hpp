@@ -69,7 +69,7 @@ struct Packed {
     entries->put(k, f);
   }
   template <class V, int Count>
-  FIXDEM_INLINE KeptNumbers<V, Count> kept() const {
+  FIXDEM_INLINE KeptNumbers<V, Count> loaded_numbers() const {
     KeptNumbers<V, Count> numbers{};
     for (int c = 0; c < Count; c += 4) {
       const Vec4<V> four = load_columns<W, RowWidth>(history + c, number);
@@ -81,7 +81,7 @@ struct Packed {
     return numbers;
   }
   template <class V, int Count>
-  FIXDEM_INLINE void keep(const KeptNumbers<V, Count>& numbers) const {
+  FIXDEM_INLINE void store_numbers(const KeptNumbers<V, Count>& numbers) const {
     const auto value = [&](int c) FIXDEM_INLINE_LAMBDA { return c < Count ? numbers.value[c] : V{}; };
     for (int c = 0; c < Count; c += 4)
       store_columns<W, RowWidth>(history + c, number, Vec4<V>{value(c), value(c + 1), value(c + 2), value(c + 3)});
@@ -115,10 +115,10 @@ class SparseContacts {
   using Touching = detail::TouchingContacts<Case>;
 
  public:
-  /// `watch`: of each range.
-  SparseContacts(const Side& side, Batches& batches, Real<Case>* sum, Watch<Case>* watch,
+  /// `monitor`: of each range.
+  SparseContacts(const Side& side, Batches& batches, Real<Case>* sum, StepMonitor<Case>* monitor,
                  const RowsForLater<Case>* later)
-      : side_(side), batches_(batches), sum_(sum), watch_(watch), later_(later) {}
+      : side_(side), batches_(batches), sum_(sum), monitors_(monitor), later_(later) {}
 
   /// Packs what touches in one range, whose particles count from those bases; so does `side`.
   void look_at(const Side& side, int range, int owner_base, int partner_base) {
@@ -153,7 +153,7 @@ class SparseContacts {
       return;
     }
     for (int k = list_.count; k % W != 0; ++k) list_.repeat_last(k);  // written twice, the same
-    Partials<W, lanes, Real<Case>> overlap(watch_[part_[0].range].overlap);
+    Partials<W, lanes, Real<Case>> overlap(monitors_[part_[0].range].overlap);
     alignas(64) Real<Case> rows[Touching::room][width];
     EnergyEntries<Case, Touching::room> entries;
     Real<Case>* history = nullptr;
@@ -165,8 +165,8 @@ class SparseContacts {
                                                                                 &entries, k};
         },
         overlap);
-    overlap.put_back(watch_[part_[0].range].overlap);
-    for (int p = 0; p < parts_; ++p) entries.sum(part_[p].begin, part_[p].end, watch_[part_[p].range]);
+    overlap.put_back(monitors_[part_[0].range].overlap);
+    for (int p = 0; p < parts_; ++p) entries.sum(part_[p].begin, part_[p].end, monitors_[part_[p].range]);
     for (int k = 0; k < list_.count; ++k) {
       if (later_ != nullptr) {
         later_->put(rows[k], list_.owner[k], has_partners ? list_.partner[k] : RowsForLater<Case>::nobody);
@@ -203,7 +203,7 @@ class SparseContacts {
   const Side side_;
   Batches& batches_;
   Real<Case>* sum_;
-  Watch<Case>* watch_;
+  StepMonitor<Case>* monitors_;
   const RowsForLater<Case>* later_;
   Touching list_;
   struct Part {

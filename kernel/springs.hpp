@@ -27,7 +27,7 @@ FIXDEM_INLINE SpringBase<V> spring_base(V overlap) {
     const V root = sqrt(overlap);
     return {constant<V>(Law::stiffness) * overlap * root, root};
   } else {
-    return {constant<V>(Law::stiffness) * overlap, keep(overlap > V{}, splat<V>(1.0))};
+    return {constant<V>(Law::stiffness) * overlap, where(overlap > V{}, splat<V>(1.0))};
   }
 }
 

@@ -26,7 +26,7 @@ struct State {
   ListingScratch<Case> scratch;
   [[no_unique_address]] KeptHistory<Case> kept;
   [[no_unique_address]] GasSlices<Case> gas;
-  Watch<Case> watch[NearList<Case>::ranges];
+  StepMonitor<Case> monitor[NearList<Case>::ranges];
   Status status;
   long long step;
   double deepest;                ///< overlap since the start, m
@@ -67,7 +67,7 @@ Status find_culprit(const State<Case>& s, int chunk, Fault fault, double limit) 
 /// Overlap of a range at the beginning of the step; whose it is is left to be named by the caller (observe.hpp).
 template <class Case>
 Status check_overlap(State<Case>& s, int range) {
-  const double deepest = greatest_of(s.watch[range].overlap), overlap = deepest / Derived<Case>::radius;
+  const double deepest = greatest_of(s.monitor[range].overlap), overlap = deepest / Derived<Case>::radius;
   if (deepest > s.deepest) s.deepest = deepest;
   if (!(overlap <= Case::max_overlap)) return {Fault::overlap, -1, 0, overlap, Case::max_overlap};
   return {};
@@ -78,7 +78,7 @@ template <class Case>
 Status check_chunk(State<Case>& s, int chunk, long long step) {
   const double radius = Derived<Case>::radius;
   if (const Status deep = check_overlap(s, chunk); !deep.ok()) return deep;
-  const double sum = sum_of(s.watch[chunk].square_sum);
+  const double sum = sum_of(s.monitor[chunk].square_sum);
   if (!(sum - sum == 0)) return detail::find_culprit(s, chunk, Fault::non_finite, 0);
   if (s.near_list.velocities[chunk].speed() * Case::time_step > greatest_way_per_step * radius) {
     const Status fastest = detail::find_culprit(s, chunk, Fault::too_fast, greatest_way_per_step);
@@ -96,7 +96,7 @@ void begin_range(State<Case>& s, int range, long long step) {
   const double way = s.near_list.velocities_of(range).spread() * Case::time_step;
   const Status listed = keep_listed<Case, W>(s.contacts, s.near_list, s.particles, s.kept, range, way);
   if (!listed.ok()) detail::note(s, listed, step + 1);
-  s.watch[range].begin_step();
+  s.monitor[range].begin_step();
 }
 
 /// Force rows of the dense contacts of a range, into the ring of the step.
@@ -105,22 +105,17 @@ void compute_dense(State<Case>& s, int range, Real<Case>* ring, long long step) 
   Contacts<Case>& contacts = s.contacts;
   const auto row = [&](int number) { return ring + number * Contacts<Case>::row_width; };
   const bool wraps = range == Capacity<Case>::chunks;
-  Watch<Case>& watch = s.watch[range];
+  StepMonitor<Case>& monitor = s.monitor[range];
   const auto are_still = [&] {
     return step > s.histories_given_at && s.near_list.is_still(s.near_list.velocities_of(range));
   };
   if (!contacts.pairs.sparse[range])
     dense_pairs<Case, W>(contacts.pairs, s.particles, range, are_still(),
-                         row(wraps ? Rows<Case>::wrap_first : contacts.first_row(range)), watch);
+                         row(wraps ? Rows<Case>::wrap_first : contacts.first_row(range)), monitor);
   if (wraps) return;
-  if constexpr (Case::has_wall)
-    if (!contacts.pipe.sparse[range])
-      dense_walls<Case, W, PipeSurface<Case>>(contacts.pipe, s.particles, range, are_still(),
-                                              row(first_pipe_row(contacts, range)), watch);
-  if constexpr (Derived<Case>::has_ends)
-    if (!contacts.ends.sparse[range])
-      dense_walls<Case, W, EndSurfaces<Case>>(contacts.ends, s.particles, range, are_still(),
-                                              row(first_end_row(contacts, range)), watch);
+  for_each_wall_row<Case>(contacts, range, [&](auto& walls, int first_row) {
+    if (!walls.sparse[range]) dense_walls<Case, W>(walls, s.particles, range, are_still(), row(first_row), monitor);
+  });
 }
 
 /// Sparse contacts of the ranges from `begin` to `end`, into the sums of their particles, or into `later` if that is
@@ -129,12 +124,11 @@ template <class Case, int W>
 void compute_sparse(State<Case>& s, int begin, int end, const RowsForLater<Case>* later = nullptr) {
   Contacts<Case>& contacts = s.contacts;
   if (later != nullptr) *later->count = 0;
-  sparse_pairs<Case, W>(contacts, s.particles, begin, end, s.watch, later);
+  sparse_pairs<Case, W>(contacts, s.particles, begin, end, s.monitor, later);
   if (begin == Capacity<Case>::chunks) return;
-  if constexpr (Case::has_wall)
-    sparse_walls<Case, W, PipeSurface<Case>>(contacts.pipe, contacts, s.particles, begin, end, s.watch, later);
-  if constexpr (Derived<Case>::has_ends)
-    sparse_walls<Case, W, EndSurfaces<Case>>(contacts.ends, contacts, s.particles, begin, end, s.watch, later);
+  for_each_wall(contacts, [&](auto& walls) {
+    sparse_walls<Case, W>(walls, contacts, s.particles, begin, end, s.monitor, later);
+  });
 }
 
 /// All contacts of a range.
@@ -167,10 +161,10 @@ void move_chunk(State<Case>& s, int chunk, int ahead = 0) {
   if constexpr (Derived<Case>::is_periodic)
     if (s.near_list.outer.concerns_ends(chunk))
       add_later<Case, W>(s.contacts.across_for_later(ahead), s.contacts.sum[0], chunk, chunk + 1);
-  Watch<Case>& watch = s.watch[chunk];
-  move<Case, W>(s.contacts, s.particles, chunk, s.contacts.ring(ahead), watch);
+  StepMonitor<Case>& monitor = s.monitor[chunk];
+  move<Case, W>(s.contacts, s.particles, chunk, s.contacts.ring(ahead), monitor);
   VelocityBox velocities;
-  velocities.add(watch.low, watch.high);
+  velocities.add(monitor.low, monitor.high);
   s.near_list.note_step(chunk, velocities);
   if (const Status status = check_chunk(s, chunk, step); !status.ok()) detail::note(s, status, step + 1);
 }

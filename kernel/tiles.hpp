@@ -88,7 +88,7 @@ void prefetch_chunk(const State<Case>& s, int chunk) {
       prefetch(kind.history_of(range, 0).first, count * Capacity<Case>::batch * kind.history.row_width);
   };
   batches(s.contacts.pairs, chunk);
-  if constexpr (Case::has_wall) batches(s.contacts.pipe, chunk);
+  for_each_wall(s.contacts, [&](const auto& walls) { batches(walls, chunk); });
   int entries = 0;
   for (int k = 0; k <= Contacts<Case>::max_slots; ++k) entries += s.contacts.bucket[chunk][k] * (2 * k + 1);
   prefetch(s.contacts.slots[chunk], entries);
@@ -97,8 +97,7 @@ void prefetch_chunk(const State<Case>& s, int chunk) {
 /// Copies the dense rows of a chunk from one place of a ring to another.
 template <class Case>
 void copy_rows(const Contacts<Case>& contacts, int chunk, Real<Case>* ring, int from, int to) {
-  int rows = first_end_row(contacts, chunk) - contacts.first_row(chunk);
-  if constexpr (Derived<Case>::has_ends) rows += rows_of<Case>(contacts.ends, chunk);
+  const int rows = for_each_wall_row<Case>(contacts, chunk, [](const auto&, int) {}) - contacts.first_row(chunk);
   constexpr int width = Contacts<Case>::row_width;
   __builtin_memcpy(ring + to * width, ring + from * width, static_cast<std::size_t>(rows * width) * sizeof(Real<Case>));
 }

@@ -145,7 +145,7 @@ TEST_CASE_TEMPLATE("lanes: every operation is its scalar twin's in each lane", K
     different += differences<K>(in, [](auto a, auto b, auto) { return a * b; });
     different += differences<K>(in, [](auto a, auto b, auto) { return a / b; });
     different += differences<K>(in, [](auto a, auto b, auto c) { return select(a < b, b, c); });
-    different += differences<K>(in, [](auto a, auto b, auto c) { return keep((a > b) | (b > c), c); });
+    different += differences<K>(in, [](auto a, auto b, auto c) { return where((a > b) | (b > c), c); });
     different += differences<K>(in, [](auto a, auto b, auto) {
       using V = decltype(a);
       return constant<V>(0.1) * a + splat<V>(0.7) / b;

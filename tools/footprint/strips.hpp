@@ -61,7 +61,7 @@ static_assert(!__is_empty(decltype(Contacts<without_friction>::pipe)) &&
 // No periodic ends: no range of pairs across them.
 static_assert(PairBatches<without_wall>::ranges - PairBatches<without_ends>::ranges == 1);
 // No ledger, no prediction.
-static_assert(sizeof(Watch<without_ledger>) < sizeof(Watch<without_ends>));
+static_assert(sizeof(StepMonitor<without_ledger>) < sizeof(StepMonitor<without_ends>));
 static_assert(sizeof(Particles<without_ledger>) - sizeof(Particles<pairs_only>) == everything::particle_count * 4 * 8);
 
 /// Sphere `id` of the rod, with a small velocity of its own.

@@ -1,6 +1,6 @@
 // What every step keeps an eye on: greatest overlap, least and greatest velocities, finiteness, and the energy ledger.
 //
-// One watch for each range of contacts and its chunk, so that chunks can be worked off in any order. Eight partial
+// One monitor for each range of contacts and its chunk, so that chunks can be worked off in any order. Eight partial
 // values each (as many as a batch has lanes), whatever the register width, so that sums have one order everywhere.
 // Overlap and speed are of the step just done; the ledger runs from the start. Scaled as in contact_law.hpp: times mass
 // gives joules.
@@ -23,7 +23,7 @@ template <class Case>
 struct Ledger<Case, false> {};
 
 template <class Case>
-struct Watch {
+struct StepMonitor {
   alignas(64) Real<Case> overlap[Capacity<Case>::batch];  ///< greatest overlaps, m
   alignas(64) double low[8], high[8];                     ///< least and greatest value of each column of motion
   alignas(64) double square_sum[8];  ///< sum of their squares; not finite as soon as one value is not
@@ -49,7 +49,7 @@ double greatest_of(const T (&a)[Size]) {
   return greatest;
 }
 
-/// Partial values of the watch in registers, for the length of a loop.
+/// Partial values of the monitor in registers, for the length of a loop.
 template <int W, int Count, class T = double>
 struct Partials {
   using V = Lanes<W, T>;
