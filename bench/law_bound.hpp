@@ -33,7 +33,7 @@ class PackedContacts {
   static constexpr int samples = 8;  ///< disjoint choices of contacts: few slide, and those make their batch slow
 
   PackedContacts(Simulation<Case>& simulation, int sample)
-      : pair_(simulation.state().particles, 0), wall_(simulation.state().particles, 0) {
+      : pair_(simulation.state().particles, 0, 0, 0), wall_(simulation.state().particles, 0) {
     const Observation seen = simulation.observe();
     const int pairs = seen.contacts, walls = seen.wall_contacts;
     if (pairs + walls == 0) return;
