@@ -9,8 +9,8 @@
 //             sliding took: what the law makes (above zero) or loses because k_t follows the overlap.
 // For conservative forms all three are of second order in the step; what other contacts change is of first order.
 //
-// Summed in double always: of dense ranges per lane of a batch, so that the sums do not depend on how many lanes the
-// machine has, of sparse ranges contact by contact, so that they do not depend on how contacts were packed. Lanes
+// Summed in double always: of dense ranges per lane of a batch, of sparse ranges in eight partial sums by the number of
+// the contact in its range, so that the sums depend neither on how many lanes the machine has nor on packing. Lanes
 // behind the last contact repeat it (listing.hpp): the ledger is the only one that must not see them.
 #pragma once
 
@@ -76,20 +76,31 @@ struct EnergyEntries {
     store(sliding_work + k, f.sliding_work);
     store(law_work + k, f.law_work);
   }
-  /// Those of the contacts from `begin` to `end`, which are of one range.
-  void sum(int begin, int end, StepMonitor<Case>& monitor) const {
-    double damping = monitor.ledger.damping_power[0], sliding = monitor.ledger.sliding_work[0];
-    double law = monitor.ledger.law_work[0];
-    for (int k = begin; k < end; ++k) damping += damping_power[k], sliding += sliding_work[k], law += law_work[k];
-    monitor.ledger.damping_power[0] = damping, monitor.ledger.sliding_work[0] = sliding,
-    monitor.ledger.law_work[0] = law;
+  /// Those of the contacts from `begin` to `end`, which are of one range; the first of them is its `number`-th. Each
+  /// goes to the partial sum of its number, eight at a time.
+  void sum(int begin, int end, int number, StepMonitor<Case>& monitor) const {
+    add(damping_power, begin, end, number, monitor.ledger.damping_power);
+    add(sliding_work, begin, end, number, monitor.ledger.sliding_work);
+    add(law_work, begin, end, number, monitor.ledger.law_work);
+  }
+
+ private:
+  static void add(const Real<Case>* entry, int begin, int end, int number, double* sum) {
+    double partial[8];
+    for (int j = 0; j < 8; ++j) partial[j] = sum[j];
+    int k = begin;
+    for (int j = number % 8; j > 0 && j < 8 && k < end; ++j, ++k) partial[j] += entry[k];
+    for (; k + 8 <= end; k += 8)
+      for (int j = 0; j < 8; ++j) partial[j] += entry[k + j];
+    for (int j = 0; k + j < end; ++j) partial[j] += entry[k + j];
+    for (int j = 0; j < 8; ++j) sum[j] = partial[j];
   }
 };
 template <class Case, int Room>
 struct EnergyEntries<Case, Room, false> {
   template <class V>
   FIXDEM_INLINE void put(int, const ContactForce<V>&) {}
-  void sum(int, int, StepMonitor<Case>&) const {}
+  void sum(int, int, int, StepMonitor<Case>&) const {}
 };
 
 }  // namespace fixdem

@@ -53,92 +53,133 @@ struct GasSlices<Case, false> {};
 
 namespace detail {
 
-/// Flow of one group of slices; reads particles, sums and heights, writes the rest. Returns the greatest residual.
-/// `set_velocity`: the bulk velocity in a coupled case.
+/// The flow of W slices on its way to be split between bed and free section; notation as above.
 template <class Case, int W>
-double solve_slices(SliceArrays<Case>& gas, int first, [[maybe_unused]] double set_velocity = 0) {
+struct SplitFlow {
   using V = Lanes<W>;
-  using D = Derived<Case>;
-  constexpr double R = D::pipe_radius, pipe_area = D::pi * R * R;
-  const double U = is_coupled<Case> ? set_velocity : Case::gas_velocity;
-  constexpr double rho = Case::gas_density, nu = Case::gas_viscosity, d_g = Case::gas_bed_diameter;
-  constexpr double d = Case::diameter, bore = Case::pipe_diameter;
-  const V one = splat<V>(1.0), zero{};
+  using Mask = decltype(V{} > V{});
+  Mask occupied, full;
+  V mean_velocity, void_fraction, bed_area, area_above;  ///< V_s, eps, A_d, A_a
+  V a, b, c_b;
+  V flow, demand;  ///< A U - A_d V_s and its absolute value
+  V y, w, residual;
 
-  const V n = load<V>(gas.particles + first);
-  const auto occupied = n > 0.0;
-  const V mean_velocity = load<V>(gas.axial_velocity_sum + first) / max(n, one);
-  const V top = load<V>(gas.height + first);
-  V h = select(top < bore, top, splat<V>(bore));
-  if constexpr (Case::gas_bed_height == BedHeight::continuous) {
-    const V over = (h - (bore - 2 * d)) / d;
-    h = h + d * select(over < 1.0, max(over, zero), one);
-  } else if constexpr (Case::gas_bed_height == BedHeight::hard) {
-    h = select(bore - h < d, splat<V>(bore), h);
+  /// From what the slices from `first` on hold; U: the bulk velocity.
+  FIXDEM_INLINE SplitFlow(const SliceArrays<Case>& gas, int first, double U) {
+    using D = Derived<Case>;
+    constexpr double R = D::pipe_radius, pipe_area = D::pi * R * R;
+    constexpr double rho = Case::gas_density, nu = Case::gas_viscosity, d_g = Case::gas_bed_diameter;
+    constexpr double d = Case::diameter, bore = Case::pipe_diameter;
+    const V one = splat<V>(1.0), zero{};
+
+    const V n = load<V>(gas.particles + first);
+    occupied = n > 0.0;
+    mean_velocity = load<V>(gas.axial_velocity_sum + first) / max(n, one);
+    const V top = load<V>(gas.height + first);
+    V h = select(top < bore, top, splat<V>(bore));
+    if constexpr (Case::gas_bed_height == BedHeight::continuous) {
+      const V over = (h - (bore - 2 * d)) / d;
+      h = h + d * select(over < 1.0, max(over, zero), one);
+    } else if constexpr (Case::gas_bed_height == BedHeight::hard) {
+      h = select(bore - h < d, splat<V>(bore), h);
+    }
+    full = bore - h < full_within * bore;
+    h = select(full, splat<V>(bore * (1 - full_within)), h);  // keeps the arithmetic of the free section finite
+
+    // Section: free arc, chord and areas.
+    const V free_angle = arc_cosine((h - R) / R);  // half of it
+    const V half_chord = sqrt(max(2 * R * h - h * h, zero));
+    const V free_area = R * R * free_angle - (h - R) * half_chord;
+    area_above = select(occupied, free_area, splat<V>(pipe_area));
+    bed_area = select(occupied, select(full, splat<V>(pipe_area), pipe_area - free_area), zero);
+    const V hydraulic_diameter =
+        select(occupied, 4.0 * free_area / (2 * R * free_angle + 2.0 * half_chord), splat<V>(bore));
+
+    // Void fraction and Ergun's coefficients.
+    const V solids = n * D::volume / (max(bed_area, splat<V>(1e-12 * pipe_area)) * D::slice_length);
+    V eps = 1.0 - solids;
+    eps =
+        max(select(eps < greatest_void_fraction, eps, splat<V>(greatest_void_fraction)), splat<V>(least_void_fraction));
+    const V c = (1.0 - eps) / (eps * eps * eps);
+    a = c * (1.75 * rho / d_g), b = c * (1.0 - eps) * (150 * nu * rho / (d_g * d_g));
+    void_fraction = select(occupied, eps, one);
+
+    // Flow, and where Newton's method starts. Roots of roots approximate the 7th root: 1/7 = 1/8 + 1/64 + 1/512 + ...
+    flow = pipe_area * U - bed_area * mean_velocity;
+    demand = abs(flow);
+    c_b = 0.3164 * sqrt(sqrt(nu / hydraulic_diameter)) * rho / (2.0 * hydraulic_diameter);
+    const V y_above = sqrt(sqrt(demand / area_above));  // if all flowed above the bed
+    const V w_bed = demand / max(bed_area, splat<V>(1e-30));
+    const auto seventh_root = [](V x) {
+      const V eighth = sqrt(sqrt(sqrt(x))), next = sqrt(sqrt(sqrt(eighth)));
+      return eighth * next * sqrt(sqrt(sqrt(next)));
+    };
+    const V y_bed = seventh_root((a * w_bed + b) * w_bed / c_b);  // if all flowed through it
+    y = select(occupied & (y_bed < y_above), y_bed, y_above);
   }
-  const auto full = bore - h < full_within * bore;
-  h = select(full, splat<V>(bore * (1 - full_within)), h);  // keeps the arithmetic of the free section finite
 
-  // Section: free arc, chord and areas.
-  const V free_angle = arc_cosine((h - R) / R);  // half of it
-  const V half_chord = sqrt(max(2 * R * h - h * h, zero));
-  const V free_area = R * R * free_angle - (h - R) * half_chord;
-  V area_above = select(occupied, free_area, splat<V>(pipe_area));
-  V bed_area = select(occupied, select(full, splat<V>(pipe_area), pipe_area - free_area), zero);
-  const V hydraulic_diameter =
-      select(occupied, 4.0 * free_area / (2 * R * free_angle + 2.0 * half_chord), splat<V>(bore));
-
-  // Void fraction and Ergun's coefficients.
-  const V solids = n * D::volume / (max(bed_area, splat<V>(1e-12 * pipe_area)) * D::slice_length);
-  V eps = 1.0 - solids;
-  eps = max(select(eps < greatest_void_fraction, eps, splat<V>(greatest_void_fraction)), splat<V>(least_void_fraction));
-  const V c = (1.0 - eps) / (eps * eps * eps);
-  const V a = c * (1.75 * rho / d_g), b = c * (1.0 - eps) * (150 * nu * rho / (d_g * d_g));
-
-  // Flow split. Roots of roots approximate the 7th root: 1/7 = 1/8 + 1/64 + 1/512 + ...
-  const V flow = pipe_area * U - bed_area * mean_velocity;
-  const V demand = abs(flow);
-  const V c_b = 0.3164 * sqrt(sqrt(nu / hydraulic_diameter)) * rho / (2.0 * hydraulic_diameter);
-  const V y_above = sqrt(sqrt(demand / area_above));  // if all flowed above the bed
-  const V w_bed = demand / max(bed_area, splat<V>(1e-30));
-  const auto seventh_root = [](V x) {
-    const V eighth = sqrt(sqrt(sqrt(x))), next = sqrt(sqrt(sqrt(eighth)));
-    return eighth * next * sqrt(sqrt(sqrt(next)));
-  };
-  const V y_bed = seventh_root((a * w_bed + b) * w_bed / c_b);  // if all flowed through it
-  V y = select(occupied & (y_bed < y_above), y_bed, y_above);
-  V w = zero, residual = zero;
-  for (int step = 0; step <= newton_steps; ++step) {
-    const V y2 = y * y, y3 = y2 * y, gradient = c_b * (y2 * y2 * y3);
+  /// w and the residual at the present y; `moves`: and the next y.
+  FIXDEM_INLINE void newton_step(bool moves) {
+    const V zero{}, y2 = y * y, y3 = y2 * y, gradient = c_b * (y2 * y2 * y3);
     const V root = sqrt(b * b + 4.0 * a * gradient);
     w = select(occupied, 2.0 * gradient / max(root + b, splat<V>(1e-300)), zero);
     residual = area_above * y2 * y2 + bed_area * w - demand;
-    if (step == newton_steps) break;
+    if (!moves) return;
     const V w_slope = select(occupied, 7.0 * c_b * y3 * y3 / max(root, splat<V>(1e-300)), zero);
     y = max(y - residual / max(4.0 * area_above * y3 + bed_area * w_slope, splat<V>(1e-300)), zero);
   }
-  const V sign = select(flow < 0.0, -one, one);
-  const V y2 = y * y;
-  V gradient = sign * c_b * (y2 * y2 * y2 * y);
-  V in_bed = mean_velocity + sign * w, above = sign * (y2 * y2);
 
-  // A full slice lets nothing pass above the bed.
-  const V through = U - mean_velocity;
-  const auto plugged = occupied & full;
-  gradient = select(plugged, a * through * abs(through) + b * through, gradient);
-  in_bed = select(plugged, splat<V>(U), select(occupied, in_bed, zero));
-  above = select(plugged, splat<V>(U), above);
-  residual = select(plugged, zero, abs(residual) / max(demand, splat<V>(1e-30)));
+  /// What the slices from `first` on hold then. Returns the greatest residual.
+  FIXDEM_INLINE double put(SliceArrays<Case>& gas, int first, double U) const {
+    const V one = splat<V>(1.0), zero{};
+    const V sign = select(flow < 0.0, -one, one);
+    const V y2 = y * y;
+    V gradient = sign * c_b * (y2 * y2 * y2 * y);
+    V in_bed = mean_velocity + sign * w, above = sign * (y2 * y2);
 
-  store(gas.bed_area + first, bed_area);
-  store(gas.void_fraction + first, select(occupied, eps, one));
-  store(gas.pressure_gradient + first, gradient);
-  store(gas.velocity_in_bed + first, in_bed);
-  store(gas.velocity_above + first, above);
-  alignas(64) double residuals[W];
-  store(residuals, residual);
+    // A full slice lets nothing pass above the bed.
+    const V through = U - mean_velocity;
+    const Mask plugged = occupied & full;
+    gradient = select(plugged, a * through * abs(through) + b * through, gradient);
+    in_bed = select(plugged, splat<V>(U), select(occupied, in_bed, zero));
+    above = select(plugged, splat<V>(U), above);
+
+    store(gas.bed_area + first, bed_area);
+    store(gas.void_fraction + first, void_fraction);
+    store(gas.pressure_gradient + first, gradient);
+    store(gas.velocity_in_bed + first, in_bed);
+    store(gas.velocity_above + first, above);
+    alignas(64) double residuals[W];
+    store(residuals, select(plugged, zero, abs(residual) / max(demand, splat<V>(1e-30))));
+    double greatest = 0;
+    for (double r : residuals) greatest = greatest >= r || greatest != greatest ? greatest : r;  // a NaN is kept
+    return greatest;
+  }
+};
+
+/// Flow of the slices from `first` to `end`, multiples of W; reads particles, sums and heights, writes the rest.
+/// Returns the greatest residual. `set_velocity`: the bulk velocity in a coupled case.
+///
+/// A step of Newton's method waits for a root and two quotients, so several groups take it side by side.
+template <class Case, int W>
+double solve_slices(SliceArrays<Case>& gas, int first, int end, [[maybe_unused]] double set_velocity = 0) {
+  using Split = SplitFlow<Case, W>;
+  const double U = is_coupled<Case> ? set_velocity : Case::gas_velocity;
   double greatest = 0;
-  for (double r : residuals) greatest = greatest >= r || greatest != greatest ? greatest : r;  // a NaN is kept
+  const auto side_by_side = [&](auto... group) FIXDEM_INLINE_LAMBDA {
+    Split split[] = {Split(gas, first + group * W, U)...};
+    for (int step = 0; step <= newton_steps; ++step)
+      for (Split& s : split) s.newton_step(step < newton_steps);
+    int at = first;
+    for (const Split& s : split) {
+      const double residual = s.put(gas, at, U);
+      greatest = greatest >= residual || greatest != greatest ? greatest : residual;
+      at += W;
+    }
+    first = at;
+  };
+  while (first + 4 * W <= end) side_by_side(0, 1, 2, 3);
+  while (first < end) side_by_side(0);
   return greatest;
 }
 
@@ -202,10 +243,9 @@ Status update_slices(GasSlices<Case>& gas, Particles<Case>& p) {
   }
   double set_velocity = 0;
   if constexpr (is_coupled<Case>) set_velocity = p.coupling.gas_velocity;
-  for (int first = 0; first < gas.padded; first += W)
-    if (const double residual = detail::solve_slices<Case, W>(gas, first, set_velocity);
-        !(residual < greatest_residual))
-      return {Fault::gas_unsolved, -1, 0, residual, greatest_residual};
+  if (const double residual = detail::solve_slices<Case, W>(gas, 0, gas.padded, set_velocity);
+      !(residual < greatest_residual))
+    return {Fault::gas_unsolved, -1, 0, residual, greatest_residual};
   constexpr double per_force = Case::time_step / Derived<Case>::mass;
   for (int s = 0; s < Case::slice_count; ++s) gas.kick_in_bed[s] = detail::force_in_bed(gas, s) * per_force;
   for (int i = 0; i < Case::particle_count; ++i) {

@@ -123,6 +123,7 @@ class SparseContacts {
   /// Packs what touches in one range, whose particles count from those bases; so does `side`.
   void look_at(const Side& side, int range, int owner_base, int partner_base) {
     int known = list_.count;
+    found_ = 0;
     for (int b = Batches::first(range), left = batches_.count[range]; left > 0; ++b, left -= lanes) {
       const auto *owner = batches_.owner[b], *partner = detail::partners_of(batches_, b);
       unsigned touching = 0;
@@ -166,7 +167,8 @@ class SparseContacts {
         },
         overlap);
     overlap.put_back(monitors_[part_[0].range].overlap);
-    for (int p = 0; p < parts_; ++p) entries.sum(part_[p].begin, part_[p].end, monitors_[part_[p].range]);
+    for (int p = 0; p < parts_; ++p)
+      entries.sum(part_[p].begin, part_[p].end, part_[p].number, monitors_[part_[p].range]);
     for (int k = 0; k < list_.count; ++k) {
       if (later_ != nullptr) {
         later_->put(rows[k], list_.owner[k], has_partners ? list_.partner[k] : RowsForLater<Case>::nobody);
@@ -181,7 +183,8 @@ class SparseContacts {
  private:
   /// Particles of the packed contacts from number `from` on.
   void name_particles(int from, int range, int owner_base, int partner_base) {
-    part_[parts_++] = {range, from, list_.count};
+    part_[parts_++] = {range, from, list_.count, found_};
+    found_ += list_.count - from;
     const auto offset = [](const auto& of_batches, std::uint32_t number, int base) {
       return static_cast<std::uint32_t>(8 * base) + *(of_batches[0] + number / 8);
     };
@@ -207,10 +210,10 @@ class SparseContacts {
   const RowsForLater<Case>* later_;
   Touching list_;
   struct Part {
-    int range, begin, end;
+    int range, begin, end, number;  ///< of its first contact in the range
   };
   Part part_[chunks_together];  ///< of the list, by range
-  int parts_ = 0;
+  int parts_ = 0, found_ = 0;   ///< contacts of the present range so far
 };
 
 /// Adds rows that were kept to the sums of the particles of the chunks from `begin` to `end`. `W`: doubles per

@@ -52,6 +52,14 @@ TEST_CASE("casegen refuses a gas over a bed that gravity does not lay at the bot
   check_quiet(bare.erase(gas, start - gas));
 }
 
+TEST_CASE("casegen warns of mixed precision where it does not pay") {
+  const std::string mixed = with("integrator =", "precision = \"mixed\"\nintegrator =");
+  check_warned(mixed, "\"mixed\"", {"precision = \"mixed\" with a [gas] table", "use precision = \"double\""});
+  std::string bare = mixed;
+  const auto gas = bare.find("[gas]"), start = bare.find("[start]");
+  check_quiet(bare.erase(gas, start - gas));
+}
+
 TEST_CASE("casegen warns of values whose unit must have been mistaken, and takes them") {
   check_warned(with("youngs_modulus = 3.0e9", "youngs_modulus = 3.0"), "3.0\n",
                {"youngs_modulus = 3 in [material] is not plausible", "plausible: 100000 to 2000000000000 Pa",

@@ -76,7 +76,7 @@ reference::SliceFlow<double> kernel_flow(const reference::SliceBed<double>& bed)
     gas.axial_velocity_sum[s] = bed.count * bed.velocity;
     gas.height[s] = bed.count > 0 ? bed.top : 0;
   }
-  const double residual = detail::solve_slices<Case, W>(gas, 0);
+  const double residual = detail::solve_slices<Case, W>(gas, 0, W);
   CHECK(residual < 1e-12);
   reference::SliceFlow<double> flow;
   flow.pressure_gradient = gas.pressure_gradient[0];

@@ -1,4 +1,5 @@
-// Time-step advice: contact time at the reference speed, Rayleigh time, steps per contact.
+// Time-step advice: contact time at the reference speed, Rayleigh time, steps per contact; and where mixed precision
+// does not pay.
 //
 // The Rayleigh time pi r sqrt(rho/G) / (0.1631 nu + 0.8766) is that of a surface wave over half the sphere. Linear law:
 // the limit 2 sqrt(m/k) of eq. (39). Contact times: tools/run/contact_time.hpp. SI units.
@@ -98,6 +99,16 @@ std::string advise_time_step(const Reading& reading, const std::string& name, Re
                    fmt::format("look at the units of the stiffness, diameter and density; or try time_step = {:.1e}",
                                shortest / (2 * fewest_steps_per_contact)));
   return text;
+}
+
+void advise_precision(const Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  if (v.precision == "mixed" && v.has_gas)
+    report.warning(
+        reading.place("run.precision"),
+        fmt::format("{} with a [gas] table: where few of the near pairs touch, as in a plug, it is no faster",
+                    reading.quote("run.precision")),
+        "use precision = \"double\"; mixed is for beds (bench/README.md has step/plug in both precisions)");
 }
 
 }  // namespace fixdem::casegen

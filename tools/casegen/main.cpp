@@ -61,6 +61,7 @@ ExitCode run(const Options& options) {
     return done;
   }
   const std::string advice = advise_time_step(reading, stem, report);
+  advise_precision(reading, report);
   fmt::print(options.advice ? stdout : stderr, "{}", advice);
   report.print(stderr);
   const Source source{options.label.empty() ? options.file : options.label, stem, XXH64(text.data(), text.size(), 0)};

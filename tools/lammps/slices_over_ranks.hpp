@@ -48,7 +48,8 @@ class SlicesOverRanks {
     double greatest = 0;
     for (std::size_t group = 0; group < is_own_.size(); ++group) {
       if (!all && !is_own_[group]) continue;
-      const double residual = detail::solve_slices<Case, W>(slices_, static_cast<int>(group) * W);
+      const double residual =
+          detail::solve_slices<Case, W>(slices_, static_cast<int>(group) * W, static_cast<int>(group + 1) * W);
       greatest = greatest >= residual || greatest != greatest ? greatest : residual;  // one that is no number stays
     }
     return greatest;
