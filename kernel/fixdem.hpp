@@ -221,7 +221,7 @@ class Simulation {
   void clear_contacts() {
     for (int c = 0; c < PairBatches<Case>::ranges; ++c) s_.contacts.pairs.count[c] = 0;
     for_each_wall(s_.contacts, [](auto& walls) {
-      for (int& count : walls.count) count = 0;
+      for (int& contacts : walls.count) contacts = 0;
     });
     if constexpr (keeps_history<Case>) s_.kept.clear();
     for (auto& r : s_.contacts.rows) r = 0;
