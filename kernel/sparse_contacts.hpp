@@ -186,7 +186,8 @@ class SparseContacts {
     part_[parts_++] = {range, from, list_.count, found_};
     found_ += list_.count - from;
     const auto offset = [](const auto& of_batches, std::uint32_t number, int base) {
-      return static_cast<std::uint32_t>(8 * base) + *(of_batches[0] + number / 8);
+      const std::uint32_t contact = number / 8;
+      return static_cast<std::uint32_t>(8 * base) + of_batches[contact / lanes][contact % lanes];
     };
     for (int k = from; k < list_.count; ++k) {
       list_.owner[k] = offset(batches_.owner, list_.number[k], owner_base);
