@@ -57,7 +57,6 @@ struct Derived {
 
   static constexpr bool has_friction = Case::friction > 0;  ///< without it: no rotation, no tangential history
   static constexpr bool has_ends = Case::ends == Ends::closed;
-  static constexpr bool has_walls = Case::has_wall || has_ends;
   static constexpr bool is_periodic = Case::ends == Ends::periodic;
   static constexpr bool is_hertz = Case::normal == NormalLaw::hertz;
 

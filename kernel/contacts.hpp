@@ -259,7 +259,7 @@ struct Contacts {
     SortScratch<Case> sort;  ///< in the same place: after a sort all slot lists are made again
   };
   int bucket[Cap::chunks][max_slots + 1];
-  bool slots_are_stale[Cap::chunks];  ///< a range that the chunk sums has been listed anew
+  bool slots_are_stale[Cap::chunks];  ///< a range that the chunk sums has been listed again
   bool has_rows[Cap::chunks];         ///< some such range is dense
   bool has_sums[Cap::chunks];         ///< some such range is sparse
 

@@ -129,7 +129,7 @@ struct SplitFlow {
     y = max(y - residual / max(4.0 * area_above * y3 + bed_area * w_slope, splat<V>(1e-300)), zero);
   }
 
-  /// What the slices from `first` on hold then. Returns the greatest residual.
+  /// What the slices from `first` on hold then. Returns the maximum residual.
   FIXDEM_INLINE double put(SliceArrays<Case>& gas, int first, double U) const {
     const V one = splat<V>(1.0), zero{};
     const V sign = select(flow < 0.0, -one, one);
@@ -151,21 +151,21 @@ struct SplitFlow {
     store(gas.velocity_above + first, above);
     alignas(64) double residuals[W];
     store(residuals, select(plugged, zero, abs(residual) / max(demand, splat<V>(1e-30))));
-    double greatest = 0;
-    for (double r : residuals) greatest = greatest >= r || greatest != greatest ? greatest : r;  // a NaN is kept
-    return greatest;
+    double maximum = 0;
+    for (double r : residuals) maximum = maximum >= r || maximum != maximum ? maximum : r;  // a NaN is kept
+    return maximum;
   }
 };
 
 /// Flow of the slices from `first` to `end`, multiples of W; reads particles, sums and heights, writes the rest.
-/// Returns the greatest residual. `set_velocity`: the bulk velocity in a coupled case.
+/// Returns the maximum residual. `set_velocity`: the bulk velocity in a coupled case.
 ///
 /// A step of Newton's method waits for a root and two quotients, so several groups take it side by side.
 template <class Case, int W>
 double solve_slices(SliceArrays<Case>& gas, int first, int end, [[maybe_unused]] double set_velocity = 0) {
   using Split = SplitFlow<Case, W>;
   const double U = is_coupled<Case> ? set_velocity : Case::gas_velocity;
-  double greatest = 0;
+  double maximum = 0;
   const auto side_by_side = [&](auto... group) FIXDEM_INLINE_LAMBDA {
     Split split[] = {Split(gas, first + group * W, U)...};
     for (int step = 0; step <= newton_steps; ++step)
@@ -173,14 +173,14 @@ double solve_slices(SliceArrays<Case>& gas, int first, int end, [[maybe_unused]]
     int at = first;
     for (const Split& s : split) {
       const double residual = s.put(gas, at, U);
-      greatest = greatest >= residual || greatest != greatest ? greatest : residual;
+      maximum = maximum >= residual || maximum != maximum ? maximum : residual;
       at += W;
     }
     first = at;
   };
   while (first + 4 * W <= end) side_by_side(0, 1, 2, 3);
   while (first < end) side_by_side(0);
-  return greatest;
+  return maximum;
 }
 
 /// Forgets the particles of the last update.

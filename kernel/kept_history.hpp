@@ -1,4 +1,4 @@
-// Contact histories by particle number, while contacts are listed anew.
+// Contact histories by particle number, while contacts are listed again.
 //
 // Listing moves contacts to other lanes, and sorting moves them to other chunks and can exchange owner and partner.
 // Before, every history that is not zero is kept here under the input numbers of its contact (walls have negative

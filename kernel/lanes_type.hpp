@@ -43,9 +43,6 @@ static_assert(native_lanes <= FIXDEM_WIDEST_LANES,
               "fixdem: FIXDEM_LANES is more than the instruction set has: 2 needs SSE2 or NEON, 4 and 8 need "
               "AVX2 with FMA; choose another -march or fewer lanes");
 
-/// Floats computed on together in mixed precision: a whole register too.
-inline constexpr int mixed_lanes = native_lanes == 1 ? 1 : 2 * native_lanes;
-
 namespace detail {
 template <int W, class T>
 struct LanesOf {

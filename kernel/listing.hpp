@@ -51,7 +51,7 @@ void list_walls(Walls& walls, const NearList<Case>& near, const Particles<Case>&
                 int chunk, bool pairs_are_sparse) {
   const int base = chunk * Capacity<Case>::chunk_size, first = Walls::first(chunk);
   Validity& validity = walls.validity[chunk];
-  validity.renew(walls.surface.speed(near.velocities[chunk]) * Case::time_step, greatest_wall_margin, Case::diameter);
+  validity.renew(walls.surface.speed(near.velocities[chunk]) * Case::time_step, maximum_wall_margin, Case::diameter);
   double nearest_unlisted = 1e300;
   int k = 0, touching = 0;
   for (int i = 0; i < particles_in<Case>(chunk); ++i) {
@@ -85,7 +85,7 @@ Status list_pairs(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   const PairRange<Case> at(range);
   const int first = PairBatches<Case>::first(range), candidates = outer.pairs[range];
   const auto *owners = outer.owner + outer.first(range), *partners = outer.partner + outer.first(range);
-  pairs.validity[range].renew(near.velocities_of(range).spread() * Case::time_step, greatest_margin, Case::diameter);
+  pairs.validity[range].renew(near.velocities_of(range).spread() * Case::time_step, maximum_margin, Case::diameter);
   const double cut_off = Case::diameter + pairs.validity[range].margin;
   int k = 0, touching = 0;
   for (int c = 0; c < candidates; c += W) {

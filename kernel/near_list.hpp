@@ -1,19 +1,15 @@
 // The near list: who may touch whom, and for how long that stays true.
 //
-// A promise in distance, on two levels. The outer list holds all pairs that were closer than d + outer margin when
-// particles were last sorted (order.hpp); out of it each range of pairs lists what is closer than d + margin, and each
-// chunk the walls closer than a margin of their own. Nothing else can touch until those concerned have used up the
-// margin. What uses it up is motion relative to each other: of a range the spread between the least and the greatest
-// velocity of its chunks, in each component, so a group that flies as one keeps its lists; of the pipe's wall the speed
-// across, of the ends that along the pipe. One fast particle makes its own surroundings be listed again and no others.
-// The margin is what the present motion would use up in `horizon_steps`, within bounds, so a bed at rest keeps a list
-// of almost exactly its contacts. Being an upper bound, no list causes an error: what it omits does not touch.
+// Two levels. The outer list holds all pairs that were closer than d + outer margin when particles were last sorted
+// (order.hpp); out of it each range of pairs lists what is closer than d + margin, and each chunk the walls closer than
+// a margin of their own (validity.hpp says for how long). One fast particle makes its own surroundings be listed again
+// and no others. No list causes an error: what it omits does not touch.
 //
 // The outer list lasts until two particles can have come its margin nearer to each other, whatever their chunks: each
-// chunk adds up its greatest way in a frame that moves as the middle between the extreme velocities did when particles
-// were sorted. Whether to sort again is decided at steps that lie `order_interval` apart, or fewer if particles
-// could use up the rest before. The decisions depend on step numbers and states alone, so results depend neither on how
-// a run is cut into pieces nor on the order in which chunks are computed.
+// chunk adds up its maximum travel in a frame that moves as the middle between the extreme velocities did when
+// particles were sorted. Whether to sort again is decided at steps that lie `order_interval` apart, or fewer if
+// particles could use up the rest before. The decisions depend on step numbers and states alone, so results depend
+// neither on how a run is cut into pieces nor on the order in which chunks are computed.
 #pragma once
 
 #include "outer_list.hpp"

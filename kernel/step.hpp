@@ -3,7 +3,7 @@
 // Contacts from the present positions, chunk after chunk along the pipe; each chunk then sums what they give its
 // particles and moves. A chunk may move before the next one computes its contacts: no contact of a later chunk looks
 // back. A range whose
-// near list no longer holds is listed anew just before. Every chunk ends its step with the checks; the first fault, by
+// near list no longer holds is listed again just before. Every chunk ends its step with the checks; the first fault, by
 // step and then along the pipe, is final: the state is that after the faulty step, for the report.
 #pragma once
 

@@ -1,6 +1,6 @@
-// What every step keeps an eye on: greatest overlap, least and greatest velocities, finiteness, and the energy ledger.
+// What every step checks: maximum overlap, minimum and maximum velocities, finiteness, and the energy ledger.
 //
-// One monitor for each range of contacts and its chunk, so that chunks can be worked off in any order. Eight partial
+// One monitor for each range of contacts and its chunk, so that chunks can be computed in any order. Eight partial
 // values each (as many as a batch has lanes), whatever the register width, so that sums have one order everywhere.
 // Overlap and speed are of the step just done; the ledger runs from the start. Scaled as in contact_law.hpp: times mass
 // gives joules.
@@ -25,7 +25,7 @@ struct Ledger<Case, false> {};
 template <class Case>
 struct StepMonitor {
   alignas(64) Real<Case> overlap[Capacity<Case>::batch];  ///< greatest overlaps, m
-  alignas(64) double low[8], high[8];                     ///< least and greatest value of each column of motion
+  alignas(64) double low[8], high[8];                     ///< minimum and maximum of each column of motion
   alignas(64) double square_sum[8];  ///< sum of their squares; not finite as soon as one value is not
   [[no_unique_address]] Ledger<Case> ledger;
 

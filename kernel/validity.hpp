@@ -1,8 +1,8 @@
 // How long a list of near contacts stays true.
 //
 // What it omits lies at least a margin away, so until those concerned have come that margin nearer, nothing that is not
-// listed can touch. What uses it up is motion relative to each other: of pairs the spread between the least and the
-// greatest velocity of their chunks, in each component, so a group that flies as one keeps its lists; of a wall the
+// listed can touch. What uses it up is motion relative to each other: of pairs the spread between the minimum and the
+// maximum velocity of their chunks, in each component, so a group that flies as one keeps its lists; of a wall the
 // speed towards it. The margin is what the present motion would use up in `horizon_steps`, within bounds, so a bed at
 // rest keeps a list of almost exactly its contacts.
 #pragma once
@@ -14,14 +14,14 @@ namespace fixdem {
 inline constexpr double horizon_steps = 240;  ///< as long as a list of a bed should last; measured optimum 200-300
 /// In diameters. Million particle-steps/s of a plug early and late on Zen 5: 151 and 97 with 0.008, 149 and 98 with
 /// 0.015, 144 and 95 with 0.03; walls with 0.03 are no better.
-inline constexpr double greatest_margin = 0.015, greatest_wall_margin = 0.1, least_margin = 1e-5;
+inline constexpr double maximum_margin = 0.015, maximum_wall_margin = 0.1, minimum_margin = 1e-5;
 
-/// Least and greatest velocity of a group of particles in each component, m/s.
+/// Minimum and maximum velocity of a group of particles in each component, m/s.
 struct VelocityBox {
   double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
 
-  void add(const double* least, const double* greatest) {
-    for (int c = 0; c < 3; ++c) low[c] = min(least[c], low[c]), high[c] = max(greatest[c], high[c]);
+  void add(const double* lowest, const double* highest) {
+    for (int c = 0; c < 3; ++c) low[c] = min(lowest[c], low[c]), high[c] = max(highest[c], high[c]);
   }
   void add(const VelocityBox& box) { add(box.low, box.high); }
   /// Bound on the speed of one particle relative to another; zero of no particles.
@@ -43,9 +43,9 @@ struct VelocityBox {
 struct Validity {
   double margin, used;  ///< m
 
-  /// `way`: of a step; `greatest` margin in diameters.
-  void renew(double way, double greatest, double diameter) {
-    margin = min(max(way * horizon_steps * 1.2, least_margin * diameter), greatest * diameter);
+  /// `way`: of a step; `widest`: maximum of the margin, in diameters.
+  void renew(double way, double widest, double diameter) {
+    margin = min(max(way * horizon_steps * 1.2, minimum_margin * diameter), widest * diameter);
     used = 0;
   }
   /// A step further; false when the list no longer holds. A NaN counts as that.
