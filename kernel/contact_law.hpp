@@ -109,28 +109,32 @@ FIXDEM_INLINE TangentialSpring<V> tangential_spring(const Springs<V>& k, Mask to
   return s;
 }
 
-/// Tangential force of eqs. (7)-(12) where the slider may act.
+/// Slip of a contact, m/s: what has loaded its spring, what the damping sees, and the present one. They differ with
+/// impulses only.
 template <class V>
-struct Tangential {
-  Vec3<V> force;   ///< scaled, on the owner
-  Vec3<V> spring;  ///< new history
-  V last_limit;    ///< `exact` only
-  V damping_power, sliding_work;
+struct Slip {
+  Vec3<V> load, damped, present;
 };
 
-/// `trial`: the kept vector, turned into the tangent plane and loaded by the slip, as if the contact stuck. `load`:
-/// slip that has loaded it; `slip`: that the damping sees, and `present_slip` (the same but with impulses).
-/// `last_force`: the spring's in the last step.
+/// What a contact gives in a step: as if it stuck (stick), then with the lanes replaced that slide (slide).
+template <class V>
+struct ContactStep {
+  Vec3<V> force;                      ///< scaled, on the owner
+  Vec3<V> spring;                     ///< the kept vector, turned into the tangent plane and loaded by the slip
+  V damping_power{}, sliding_work{};  ///< for the ledger
+  V last_limit{};                     ///< `exact` only
+};
+
+/// The tangential force of eqs. (7)-(12) where the slider acts; of the result only that counts, and the spring it
+/// leaves. `limit`: mu |f_n|; `last_limit`, `last_force`: of the spring in the last step.
 template <class Law, class Case, class V>
-FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const Vec3<V>& trial, const Vec3<V>& load,
-                                             const Vec3<V>& slip, [[maybe_unused]] const Vec3<V>& present_slip,
-                                             [[maybe_unused]] V last_limit, [[maybe_unused]] const Vec3<V>& last_force,
-                                             V limit) {
-  Tangential<V> t{};
+FIXDEM_INLINE ContactStep<V> slider(const TangentialSpring<V>& s, const Vec3<V>& trial, const Slip<V>& slip, V limit,
+                                    [[maybe_unused]] V last_limit, [[maybe_unused]] const Vec3<V>& last_force) {
+  ContactStep<V> t{};
   if constexpr (Case::slider != Slider::paper) {
     if constexpr (Case::slider == Slider::exact) {
       const auto slides = s.to_force * s.to_force * dot(trial, trial) > limit * limit;
-      const Vec3<V> way = scale(s.gain, load), kept = {trial.x - way.x, trial.y - way.y, trial.z - way.z};
+      const Vec3<V> way = scale(s.gain, slip.load), kept = {trial.x - way.x, trial.y - way.y, trial.z - way.z};
       const SlidSpring<V> slid =
           exact_return<Case::tangential != TangentialLaw::rescale>(kept, way, last_limit, limit, s.to_force, slides);
       t.spring = select(slides, slid.spring, trial);
@@ -138,25 +142,43 @@ FIXDEM_INLINE Tangential<V> tangential_force(const TangentialSpring<V>& s, const
     } else {
       t.spring = capped(trial, s.to_force * s.to_force * dot(trial, trial), limit);
     }
-    const Vec3<V> total = add_scaled(scale(-s.damping, slip), -s.to_force, t.spring);
+    const Vec3<V> total = add_scaled(scale(-s.damping, slip.damped), -s.to_force, t.spring);
     t.force = capped(total, dot(total, total), limit);
   } else {
-    const Vec3<V> total = add_scaled(scale(-s.damping, slip), -s.to_force, trial);
-    const V square = dot(total, total), slip_square = dot(slip, slip);
+    const Vec3<V> total = add_scaled(scale(-s.damping, slip.damped), -s.to_force, trial);
+    const V square = dot(total, total), slip_square = dot(slip.damped, slip.damped);
     const auto sliding = square > limit * limit;
-    const Vec3<V> along_slip = scale(-limit / sqrt(slip_square), slip);
+    const Vec3<V> along_slip = scale(-limit / sqrt(slip_square), slip.damped);
     const Vec3<V> along_trial = scale(limit / sqrt(square), total);
     t.force = select(sliding, select(slip_square > V{}, along_slip, along_trial), total);
     t.spring = select(sliding, scale(constant<V>(-1.0) / s.to_force, t.force), trial);
   }
   if constexpr (Case::energy_ledger) {
     const Vec3<V> viscous = add_scaled(t.force, s.to_force, t.spring);  // what is not the spring's
-    t.damping_power = -dot(viscous, add_scaled(present_slip, splat<V>(Law::bodies_of_slip / 2), t.force));
+    t.damping_power = -dot(viscous, add_scaled(slip.present, splat<V>(Law::bodies_of_slip / 2), t.force));
     const Vec3<V> slid = {trial.x - t.spring.x, trial.y - t.spring.y, trial.z - t.spring.z};
     t.sliding_work = dot(add_scaled(last_force, s.to_force, t.spring), slid) *
                      (constant<V>(Case::time_step / 2) / s.gain);  // mean of both forces times displacement
   }
   return t;
+}
+
+/// A contact step with the lanes replaced that slide. `stuck`: of all lanes as if they stuck; `normal_power`: of the
+/// normal damping, for the ledger; `pressed`: lanes with overlap.
+template <class Law, class Case, class V, class Normal, class Mask>
+FIXDEM_INLINE ContactStep<V> slide(ContactStep<V> stuck, Mask slides, Mask pressed, const TangentialSpring<V>& s,
+                                   const Slip<V>& slip, const Normal& n, V normal_force, V normal_power, V last_limit,
+                                   const Vec3<V>& last_force) {
+  const ContactStep<V> slid =
+      slider<Law, Case>(s, stuck.spring, slip, constant<V>(Case::friction) * abs(normal_force), last_limit, last_force);
+  stuck.force = select(slides, subtract_scaled(slid.force, normal_force, n), stuck.force);
+  stuck.spring = select(slides, slid.spring, stuck.spring);
+  if constexpr (Case::slider == Slider::exact) stuck.last_limit = where(slides & pressed, slid.last_limit);
+  if constexpr (Case::energy_ledger) {
+    stuck.damping_power = select(slides, normal_power + slid.damping_power, stuck.damping_power);
+    stuck.sliding_work = where(slides & pressed, slid.sliding_work);
+  }
+  return stuck;
 }
 
 /// Square of the sine of the angle by which a contact may turn in one step before lengths are restored by a root.
@@ -207,12 +229,30 @@ FIXDEM_INLINE auto exceeds_friction(const Vec3<V>& force, V to_force, const Vec3
          (to_force * to_force * dot(spring, spring) > constant<V>(mu_square) * normal_square);
 }
 
-/// Scaled force on the owner. `n`: Vec3, or Vec2 where the normal has no component along the pipe. `surface_velocity` u
-/// = v_r + (r w_i + r w_j) x n; `normal_velocity` v_r.n; `damped_velocity`: the normal velocity that the damping sees
-/// (the same with `euler`, predicted half a step ahead with `leapfrog`).
-///
-/// Where a contact sticks, the whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since u = (u.n) n + v_s
-/// and both dampings share eta; where it slides, delta_t is where the slider starts.
+/// A contact step as if all lanes stuck. The whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since
+/// u = (u.n) n + v_s and both dampings share eta; where a lane slides, delta_t is where the slider starts.
+/// `normal_power`: of the normal damping, for the ledger.
+template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Mask>
+FIXDEM_INLINE ContactStep<V> stick(const Springs<V>& k, const TangentialSpring<V>& s, const Normal& n, const Vec3<V>& u,
+                                   V normal_velocity, V normal_force, [[maybe_unused]] V normal_power,
+                                   const Vec3<V>& kept, Mask touching) {
+  ContactStep<V> step;
+  V along_normal = k.repulsion;  // what is left along n after eta u has taken its share
+  if constexpr (Law::tangential_damping != Law::damping || Case::integrator != Integrator::euler)
+    along_normal = fused_minus(s.damping, normal_velocity, normal_force);
+  step.spring = stuck_spring<Case, mode>(s, s.gain, kept, n, u, normal_velocity, touching);
+  step.force = subtract_scaled(subtract_scaled(scale(-along_normal, n), s.damping, u), s.to_force, step.spring);
+  if constexpr (Case::energy_ledger) {
+    const V power = fused(normal_velocity, normal_force, dot(u, step.force));  // of the tangential force
+    const V square = fused_minus(normal_velocity, normal_velocity, dot(u, u));
+    step.damping_power = fused(s.damping, fused(splat<V>(Law::bodies_of_slip / 2), power, square), normal_power);
+  }
+  return step;
+}
+
+/// Scaled force on the owner, and the history advanced. `n`: Vec3, or Vec2 where the normal has no component along the
+/// pipe. `surface_velocity` u = v_r + (r w_i + r w_j) x n; `normal_velocity` v_r.n; `damped_velocity`: the normal
+/// velocity that the damping sees (the same with `euler`, predicted half a step ahead with `leapfrog`).
 ///
 /// With `left`, a batch of which any lane slides sets `is_done` to false, and nothing else of the result
 /// counts: without that code and what it needs, the short way keeps its numbers in registers.
@@ -225,49 +265,29 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
   is_done = true;
   // In the middle of the step, as far as this contact changes it.
   [[maybe_unused]] const V mean_velocity = fused_minus(splat<V>(Law::bodies / 2), normal_force, normal_velocity);
+  [[maybe_unused]] const V normal_power = k.damping * damped_velocity * mean_velocity;
   if constexpr (!Derived<Case>::has_friction) {
-    return {scale(-normal_force, n), k.damping * damped_velocity * mean_velocity};
+    return {scale(-normal_force, n), normal_power};
   } else {
     [[maybe_unused]] const LastSpring<V> before =
         last_spring<Case>(history.spring, history.last_tangential_stiffness, k.tangential_stiffness);
     const TangentialSpring<V> s = tangential_spring<Law, Case>(k, touching, history);
-
-    // Sticking.
-    V along_normal = k.repulsion;  // what is left along n after eta u has taken its share
-    if constexpr (Law::tangential_damping != Law::damping || Case::integrator != Integrator::euler)
-      along_normal = fused_minus(s.damping, normal_velocity, normal_force);
-    Vec3<V> spring = stuck_spring<Case, mode>(s, s.gain, history.spring, n, u, normal_velocity, touching);
-    Vec3<V> force = subtract_scaled(subtract_scaled(scale(-along_normal, n), s.damping, u), s.to_force, spring);
-    V damping_power{}, sliding_work{}, law_work{};
-    if constexpr (Case::energy_ledger) {
-      const V power = fused(normal_velocity, normal_force, dot(u, force));  // of the tangential force
-      const V square = fused_minus(normal_velocity, normal_velocity, dot(u, u));
-      damping_power = fused(s.damping, fused(splat<V>(Law::bodies_of_slip / 2), power, square),
-                            k.damping * damped_velocity * mean_velocity);
-    }
-
-    // Sliding.
-    const auto exceeds = exceeds_friction<Case>(force, s.to_force, spring, normal_force);
-    [[maybe_unused]] V last_limit{};
+    ContactStep<V> step =
+        stick<Law, Case, mode>(k, s, n, u, normal_velocity, normal_force, normal_power, history.spring, touching);
+    const auto exceeds = exceeds_friction<Case>(step.force, s.to_force, step.spring, normal_force);
     if constexpr (mode == SlidingLanes::left) {
       is_done = !any(exceeds);
     } else if (const auto slides = exceeds & touching; any(slides)) {
       const Vec3<V> slip = subtract_scaled(u, normal_velocity, n);
-      const Tangential<V> t = tangential_force<Law, Case>(s, spring, slip, slip, slip, history.last_limit, before.force,
-                                                          constant<V>(Case::friction) * abs(normal_force));
-      force = select(slides, subtract_scaled(t.force, normal_force, n), force);
-      spring = select(slides, t.spring, spring);
-      if constexpr (Case::slider == Slider::exact) last_limit = where(slides, t.last_limit);
-      if constexpr (Case::energy_ledger) {
-        damping_power =
-            select(slides, fused(k.damping * damped_velocity, mean_velocity, t.damping_power), damping_power);
-        sliding_work = where(slides, t.sliding_work);
-      }
+      step = slide<Law, Case>(step, slides, touching, s, {slip, slip, slip}, n, normal_force, normal_power,
+                              history.last_limit, before.force);
     }
-    if constexpr (Case::energy_ledger) law_work = work_of_law<Case>(before, spring, k.tangential_stiffness, touching);
-    history.spring = {where(touching, spring.x), where(touching, spring.y), where(touching, spring.z)};
-    if constexpr (Case::slider == Slider::exact) history.last_limit = last_limit;
-    return {force, damping_power, sliding_work, law_work};
+    V law_work{};
+    if constexpr (Case::energy_ledger)
+      law_work = work_of_law<Case>(before, step.spring, k.tangential_stiffness, touching);
+    history.spring = where(touching, step.spring);
+    if constexpr (Case::slider == Slider::exact) history.last_limit = step.last_limit;
+    return {step.force, step.damping_power, step.sliding_work, law_work};
   }
 }
 

@@ -138,41 +138,32 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
                             fused(half, u.z - last.z, u.z)};  // surface velocity in the middle of the step
     const V middle_normal = dot(middle, n);
 
-    Vec3<V> spring =
-        stuck_spring<Case, mode>(s, s.gain * p.share_of_step, history.spring, n, u, normal_velocity, pressed);
-    Vec3<V> force = subtract_scaled(
-        subtract_scaled(scale(fused(s.damping, middle_normal, -p.total), n), s.damping, middle), s.to_force, spring);
-    V damping_power{}, sliding_work{}, law_work{};
-    if constexpr (Case::energy_ledger) {  // the damping's force is of `middle`; it works on the mean of before and
-                                          // after
+    ContactStep<V> step;
+    step.spring = stuck_spring<Case, mode>(s, s.gain * p.share_of_step, history.spring, n, u, normal_velocity, pressed);
+    step.force =
+        subtract_scaled(subtract_scaled(scale(fused(s.damping, middle_normal, -p.total), n), s.damping, middle),
+                        s.to_force, step.spring);
+    if constexpr (Case::energy_ledger) {
+      // The damping's force is of `middle`; it works on the mean of before and after.
       const Vec3<V> damped = subtract_scaled(middle, middle_normal, n);
-      const Vec3<V> mean = add_scaled(u, splat<V>(Law::bodies_of_slip / 2), force);
-      damping_power = fused(s.damping, dot(damped, mean), normal_power);
+      const Vec3<V> mean = add_scaled(u, splat<V>(Law::bodies_of_slip / 2), step.force);
+      step.damping_power = fused(s.damping, dot(damped, mean), normal_power);
     }
 
-    const Mask slides = exceeds_friction<Case>(force, s.to_force, spring, p.total) & touching;
-    [[maybe_unused]] V last_limit{};
+    const Mask slides = exceeds_friction<Case>(step.force, s.to_force, step.spring, p.total) & touching;
     if constexpr (mode == SlidingLanes::left) {
       is_done = is_done & !any(slides);
     } else if (any(slides)) {
-      const Vec3<V> slip = scale(p.share_of_step, subtract_scaled(u, normal_velocity, n));
-      const Tangential<V> t = tangential_force<Law, Case>(s, spring, slip, subtract_scaled(middle, middle_normal, n),
-                                                          subtract_scaled(u, normal_velocity, n), history.last_limit,
-                                                          before.force, constant<V>(Case::friction) * abs(p.total));
-      force = select(slides, subtract_scaled(t.force, p.total, n), force);
-      spring = select(slides, t.spring, spring);
-      if constexpr (Case::slider == Slider::exact) last_limit = where(slides & pressed, t.last_limit);
-      if constexpr (Case::energy_ledger) {
-        damping_power = select(slides, normal_power + t.damping_power, damping_power);
-        sliding_work = where(slides & pressed, t.sliding_work);
-      }
+      const Vec3<V> present = subtract_scaled(u, normal_velocity, n);
+      const Slip<V> slip = {scale(p.share_of_step, present), subtract_scaled(middle, middle_normal, n), present};
+      step =
+          slide<Law, Case>(step, slides, pressed, s, slip, n, p.total, normal_power, history.last_limit, before.force);
     }
-    if constexpr (Case::energy_ledger) law_work = work_of_law<Case>(before, spring, stiffness, pressed);
-    history.spring = {where(pressed, spring.x), where(pressed, spring.y), where(pressed, spring.z)};
-    history.last_velocity = {where(pressed, u.x), where(pressed, u.y), where(pressed, u.z)};
-    if constexpr (Case::slider == Slider::exact) history.last_limit = last_limit;
-    force = {where(touching, force.x), where(touching, force.y), where(touching, force.z)};
-    return {force, damping_power, sliding_work, law_work};
+    V law_work{};
+    if constexpr (Case::energy_ledger) law_work = work_of_law<Case>(before, step.spring, stiffness, pressed);
+    history.spring = where(pressed, step.spring), history.last_velocity = where(pressed, u);
+    if constexpr (Case::slider == Slider::exact) history.last_limit = step.last_limit;
+    return {where(touching, step.force), step.damping_power, step.sliding_work, law_work};
   }
 }
 

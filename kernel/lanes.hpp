@@ -189,6 +189,11 @@ FIXDEM_INLINE Vec3<V> add_cross(const Vec3<V>& a, const Vec3<V>& b, const Vec2<V
 }
 
 template <class Mask, class V>
+FIXDEM_INLINE Vec3<V> where(Mask mask, const Vec3<V>& a) {
+  return {where(mask, a.x), where(mask, a.y), where(mask, a.z)};
+}
+
+template <class Mask, class V>
 FIXDEM_INLINE Vec3<V> select(Mask mask, const Vec3<V>& a, const Vec3<V>& b) {
   return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
