@@ -277,7 +277,7 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
     const auto exceeds = exceeds_friction<Case>(step.force, s.to_force, step.spring, normal_force);
     if constexpr (mode == SlidingLanes::left) {
       is_done = !any(exceeds);
-    } else if (const auto slides = exceeds & touching; any(slides)) {
+    } else if (const Mask slides = exceeds & touching; any(slides)) {
       const Vec3<V> slip = subtract_scaled(u, normal_velocity, n);
       step = slide<Law, Case>(step, slides, touching, s, {slip, slip, slip}, n, normal_force, normal_power,
                               history.last_limit, before.force);
