@@ -164,19 +164,19 @@ FIXDEM_INLINE ContactStep<V> slider(const TangentialSpring<V>& s, const Vec3<V>&
 }
 
 /// A contact step with the lanes replaced that slide. `stuck`: of all lanes as if they stuck; `normal_power`: of the
-/// normal damping, for the ledger; `pressed`: lanes with overlap.
+/// normal damping, for the ledger.
 template <class Law, class Case, class V, class Normal, class Mask>
-FIXDEM_INLINE ContactStep<V> slide(ContactStep<V> stuck, Mask slides, Mask pressed, const TangentialSpring<V>& s,
+FIXDEM_INLINE ContactStep<V> slide(ContactStep<V> stuck, Mask slides, const TangentialSpring<V>& s,
                                    const Slip<V>& slip, const Normal& n, V normal_force, V normal_power, V last_limit,
                                    const Vec3<V>& last_force) {
   const ContactStep<V> slid =
       slider<Law, Case>(s, stuck.spring, slip, constant<V>(Case::friction) * abs(normal_force), last_limit, last_force);
   stuck.force = select(slides, subtract_scaled(slid.force, normal_force, n), stuck.force);
   stuck.spring = select(slides, slid.spring, stuck.spring);
-  if constexpr (Case::slider == Slider::exact) stuck.last_limit = where(slides & pressed, slid.last_limit);
+  if constexpr (Case::slider == Slider::exact) stuck.last_limit = where(slides, slid.last_limit);
   if constexpr (Case::energy_ledger) {
     stuck.damping_power = select(slides, normal_power + slid.damping_power, stuck.damping_power);
-    stuck.sliding_work = where(slides & pressed, slid.sliding_work);
+    stuck.sliding_work = where(slides, slid.sliding_work);
   }
   return stuck;
 }
@@ -192,9 +192,9 @@ enum class SlidingLanes { computed, left, at_rest };
 /// The kept vector projected on the tangent plane and grown by `gain` times the slip. Projection shortens the kept
 /// vector h by the factor sqrt(1 - q), q = (h.n)^2 / h^2; where that is more than half a unit in the last place, its
 /// inverse is made up for by a series, good to 3e-17 up to `greatest_turn`, and beyond by a root.
-template <class Case, SlidingLanes mode, class V, class Normal, class Mask>
+template <class Case, SlidingLanes mode, class V, class Normal>
 FIXDEM_INLINE Vec3<V> stuck_spring(const TangentialSpring<V>& s, V gain, const Vec3<V>& kept, const Normal& n,
-                                   const Vec3<V>& u, V normal_velocity, Mask touching) {
+                                   const Vec3<V>& u, V normal_velocity) {
   const V out_of_plane = dot(kept, n);
   Vec3<V> spring;
   if constexpr (Case::tangential == TangentialLaw::displacement) {
@@ -206,41 +206,41 @@ FIXDEM_INLINE Vec3<V> stuck_spring(const TangentialSpring<V>& s, V gain, const V
   }
   if constexpr (mode == SlidingLanes::computed) {
     const V turn = out_of_plane * out_of_plane;
-    const Mask turns = (turn > constant<V>(turning_square<V>) * dot(spring, spring)) & touching;
-    if (any(turns)) {
+    const V counts = constant<V>(turning_square<V>) * dot(spring, spring);
+    if (any_below(counts, turn)) {
       const V square = dot(kept, kept);
       const V q = turn / max(square, splat<V>(least_square<V>));
       V longer = q * fused(q, fused(q, splat<V>(0.3125), splat<V>(0.375)), splat<V>(0.5));
-      if (const auto by_far = q > constant<V>(greatest_turn); any(by_far & turns))
+      if (const V limit = splat<V>(greatest_turn); any_below(limit, q))
         longer =
-            select(by_far, constant<V>(1) / sqrt(max(constant<V>(1) - q, splat<V>(1e-6))) - constant<V>(1), longer);
-      spring = add_scaled(spring, s.ratio * where(turns, longer), subtract_scaled(kept, out_of_plane, n));
+            select(limit < q, constant<V>(1) / sqrt(max(constant<V>(1) - q, splat<V>(1e-6))) - constant<V>(1), longer);
+      spring = add_scaled(spring, s.ratio * where(counts < turn, longer), subtract_scaled(kept, out_of_plane, n));
     }
   }
   return spring;
 }
 
-/// Whether the whole force, or the spring alone, is beyond Coulomb's bound.
+/// Above zero where the whole force, or the spring alone, is beyond Coulomb's bound; the sign of a difference is exact.
 template <class Case, class V>
-FIXDEM_INLINE auto exceeds_friction(const Vec3<V>& force, V to_force, const Vec3<V>& spring, V normal_force) {
+FIXDEM_INLINE V excess_over_friction(const Vec3<V>& force, V to_force, const Vec3<V>& spring, V normal_force) {
   constexpr double mu_square = Case::friction * Case::friction;
   const V normal_square = normal_force * normal_force;
-  return (dot(force, force) > constant<V>(1 + mu_square) * normal_square) |
-         (to_force * to_force * dot(spring, spring) > constant<V>(mu_square) * normal_square);
+  return max(dot(force, force) - constant<V>(1 + mu_square) * normal_square,
+             to_force * to_force * dot(spring, spring) - constant<V>(mu_square) * normal_square);
 }
 
 /// A contact step as if all lanes stuck. The whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since
 /// u = (u.n) n + v_s and both dampings share eta; where a lane slides, delta_t is where the slider starts.
 /// `normal_power`: of the normal damping, for the ledger.
-template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Mask>
+template <class Law, class Case, SlidingLanes mode, class V, class Normal>
 FIXDEM_INLINE ContactStep<V> stick(const Springs<V>& k, const TangentialSpring<V>& s, const Normal& n, const Vec3<V>& u,
                                    V normal_velocity, V normal_force, [[maybe_unused]] V normal_power,
-                                   const Vec3<V>& kept, Mask touching) {
+                                   const Vec3<V>& kept) {
   ContactStep<V> step;
   V along_normal = k.repulsion;  // what is left along n after eta u has taken its share
   if constexpr (Law::tangential_damping != Law::damping || Case::integrator != Integrator::euler)
     along_normal = fused_minus(s.damping, normal_velocity, normal_force);
-  step.spring = stuck_spring<Case, mode>(s, s.gain, kept, n, u, normal_velocity, touching);
+  step.spring = stuck_spring<Case, mode>(s, s.gain, kept, n, u, normal_velocity);
   step.force = subtract_scaled(subtract_scaled(scale(-along_normal, n), s.damping, u), s.to_force, step.spring);
   if constexpr (Case::energy_ledger) {
     const V power = fused(normal_velocity, normal_force, dot(u, step.force));  // of the tangential force
@@ -273,13 +273,13 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
         last_spring<Case>(history.spring, history.last_tangential_stiffness, k.tangential_stiffness);
     const TangentialSpring<V> s = tangential_spring<Law, Case>(k, touching, history);
     ContactStep<V> step =
-        stick<Law, Case, mode>(k, s, n, u, normal_velocity, normal_force, normal_power, history.spring, touching);
-    const auto exceeds = exceeds_friction<Case>(step.force, s.to_force, step.spring, normal_force);
+        stick<Law, Case, mode>(k, s, n, u, normal_velocity, normal_force, normal_power, history.spring);
+    const V excess = excess_over_friction<Case>(step.force, s.to_force, step.spring, normal_force);
     if constexpr (mode == SlidingLanes::left) {
-      is_done = !any(exceeds);
-    } else if (const Mask slides = exceeds & touching; any(slides)) {
+      is_done = !any_below(V{}, excess);
+    } else if (any_below(V{}, excess)) {  // forces without overlap are zero, and exceed nothing
       const Vec3<V> slip = subtract_scaled(u, normal_velocity, n);
-      step = slide<Law, Case>(step, slides, touching, s, {slip, slip, slip}, n, normal_force, normal_power,
+      step = slide<Law, Case>(step, excess > V{}, s, {slip, slip, slip}, n, normal_force, normal_power,
                               history.last_limit, before.force);
     }
     V law_work{};

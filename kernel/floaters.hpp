@@ -30,7 +30,7 @@ void find_floaters(GasSlices<Case>& gas, const Particles<Case>& p, const OuterLi
           load_differences<W>(p.position[at.partner_base], partners + k, p.position[at.owner_base], owners + k);
       r.z = r.z + at.shift;
       // Behind the last pair of a range it is repeated.
-      for (unsigned near = bits(dot(r, r) < reach * reach); near != 0; near &= near - 1) {
+      for (unsigned near = bits_below(dot(r, r), splat<Lanes<W>>(reach * reach)); near != 0; near &= near - 1) {
         const int pair = k + __builtin_ctz(near);
         gas.floats[p.id[at.owner_base + Rows<Case>::number(owners[pair])]] = false;
         gas.floats[p.id[at.partner_base + Rows<Case>::number(partners[pair])]] = false;

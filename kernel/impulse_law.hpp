@@ -139,7 +139,7 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
     const V middle_normal = dot(middle, n);
 
     ContactStep<V> step;
-    step.spring = stuck_spring<Case, mode>(s, s.gain * p.share_of_step, history.spring, n, u, normal_velocity, pressed);
+    step.spring = stuck_spring<Case, mode>(s, s.gain * p.share_of_step, history.spring, n, u, normal_velocity);
     step.force =
         subtract_scaled(subtract_scaled(scale(fused(s.damping, middle_normal, -p.total), n), s.damping, middle),
                         s.to_force, step.spring);
@@ -150,19 +150,19 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
       step.damping_power = fused(s.damping, dot(damped, mean), normal_power);
     }
 
-    const Mask slides = exceeds_friction<Case>(step.force, s.to_force, step.spring, p.total) & touching;
+    const V excess = where(touching, excess_over_friction<Case>(step.force, s.to_force, step.spring, p.total));
     if constexpr (mode == SlidingLanes::left) {
-      is_done = is_done & !any(slides);
-    } else if (any(slides)) {
+      is_done = is_done & !any_below(V{}, excess);
+    } else if (any_below(V{}, excess)) {
       const Vec3<V> present = subtract_scaled(u, normal_velocity, n);
       const Slip<V> slip = {scale(p.share_of_step, present), subtract_scaled(middle, middle_normal, n), present};
-      step =
-          slide<Law, Case>(step, slides, pressed, s, slip, n, p.total, normal_power, history.last_limit, before.force);
+      step = slide<Law, Case>(step, excess > V{}, s, slip, n, p.total, normal_power, history.last_limit, before.force);
+      if constexpr (Case::energy_ledger) step.sliding_work = where(pressed, step.sliding_work);
     }
     V law_work{};
     if constexpr (Case::energy_ledger) law_work = work_of_law<Case>(before, step.spring, stiffness, pressed);
     history.spring = where(pressed, step.spring), history.last_velocity = where(pressed, u);
-    if constexpr (Case::slider == Slider::exact) history.last_limit = step.last_limit;
+    if constexpr (Case::slider == Slider::exact) history.last_limit = where(pressed, step.last_limit);
     return {where(touching, step.force), step.damping_power, step.sliding_work, law_work};
   }
 }

@@ -72,6 +72,16 @@ FIXDEM_INLINE V select(Mask mask, V a, V b) {
   return mask ? a : b;
 }
 
+/// Lanes in which a < b, and whether there is one.
+template <class V>
+FIXDEM_INLINE unsigned bits_below(V a, V b) {
+  return bits(a < b);
+}
+template <class V>
+FIXDEM_INLINE bool any_below(V a, V b) {
+  return any(a < b);
+}
+
 /// Aligned to the register.
 template <class V>
 FIXDEM_INLINE V load(const Element<V>* p) {

@@ -175,6 +175,17 @@ FIXDEM_INLINE bool any(FloatMask16 mask) {
   const auto a = detail::Ints16(mask);
   return __builtin_ia32_ptestmd512(a, a, detail::all16) != 0;
 }
+// It turns a mask into a vector and back before it looks at its bits; a comparison of its own leaves them where they are.
+FIXDEM_INLINE unsigned bits_below(Lanes8 a, Lanes8 b) {
+  constexpr int less = 17;  // and false for what is no number, without a signal
+  return static_cast<unsigned char>(__builtin_ia32_cmppd512_mask(a, b, less, detail::all8, 4));
+}
+FIXDEM_INLINE unsigned bits_below(Floats16 a, Floats16 b) {
+  constexpr int less = 17;
+  return static_cast<unsigned short>(__builtin_ia32_cmpps512_mask(a, b, less, detail::all16, 4));
+}
+FIXDEM_INLINE bool any_below(Lanes8 a, Lanes8 b) { return bits_below(a, b) != 0; }
+FIXDEM_INLINE bool any_below(Floats16 a, Floats16 b) { return bits_below(a, b) != 0; }
 FIXDEM_INLINE Lanes8 join(Lanes4 low, Lanes4 high) {
   return __builtin_ia32_insertf64x4_mask(__builtin_ia32_pd512_256pd(low), high, 1, Lanes8{}, detail::all8);
 }

@@ -93,8 +93,8 @@ Status list_pairs(Contacts<Case>& contacts, NearList<Case>& near, const Particle
     r.z = r.z + at.shift;
     const V square = dot(r, r);
     const unsigned valid = candidates - c < W ? (1u << (candidates - c)) - 1 : ~0u;
-    unsigned hits = bits(square < cut_off * cut_off) & valid;
-    touching += __builtin_popcount(bits(square < Case::diameter * Case::diameter) & hits);
+    unsigned hits = bits_below(square, splat<V>(cut_off * cut_off)) & valid;
+    touching += __builtin_popcount(bits_below(square, splat<V>(Case::diameter * Case::diameter)) & hits);
     for (; hits != 0; hits &= hits - 1) {
       const int from = c + __builtin_ctz(hits), batch = first + k / Cap::batch, lane = k % Cap::batch;
       const int owner = at.owner_base + Rows<Case>::number(owners[from]);

@@ -47,7 +47,7 @@ FIXDEM_INLINE void search(const SortScratch<Case>& at, double x, double y, doubl
   using V = Lanes<W>;
   for (int j = from; j < to; j += W) {
     const V dx = load_any<V>(at.x + j) - x, dy = load_any<V>(at.y + j) - y, dz = load_any<V>(at.z + j) - z;
-    unsigned hits = bits(fused(dz, dz, fused(dy, dy, dx * dx)) < square_cut);
+    unsigned hits = bits_below(fused(dz, dz, fused(dy, dy, dx * dx)), splat<V>(square_cut));
     if (to - j < W) hits &= (1u << (to - j)) - 1;
     for (; hits != 0; hits &= hits - 1) found(j + __builtin_ctz(hits));
   }

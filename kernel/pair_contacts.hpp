@@ -52,11 +52,11 @@ struct PairSide {
   }
 
   template <class V>
-  FIXDEM_INLINE auto touches(const Separation<V>& s) const {
+  FIXDEM_INLINE unsigned touching(const Separation<V>& s) const {
     if constexpr (is_mixed<Case>)
-      return s.gap_square > V{};
+      return bits_below(V{}, s.gap_square);
     else
-      return s.gap_square < d * d;
+      return bits_below(s.gap_square, splat<V>(d * d));
   }
 
   static constexpr bool has_root = true, needs_gap_square = is_mixed<Case>;

@@ -128,7 +128,7 @@ class SparseContacts {
       const auto *owner = batches_.owner[b], *partner = detail::partners_of(batches_, b);
       unsigned touching = 0;
       for (int lane = 0; lane < lanes; lane += W)
-        touching |= bits(side.touches(side.template separation<W>(owner + lane, partner + lane))) << lane;
+        touching |= side.touching(side.template separation<W>(owner + lane, partner + lane)) << lane;
       const unsigned within = left < lanes ? (1u << left) - 1 : Capacity<Case>::all_lanes;
       touching &= within;
       const unsigned before = batches_.touching[b] & within;

@@ -37,11 +37,8 @@ struct PipeSurface {
     return {{x.x, x.y, V{}}, is_mixed<Case> ? square - reach * reach : square};
   }
   template <class V>
-  static FIXDEM_INLINE auto touches(V gap_square) {
-    if constexpr (is_mixed<Case>)
-      return gap_square > V{};
-    else
-      return gap_square > reach * reach;
+  static FIXDEM_INLINE unsigned touching(V gap_square) {
+    return bits_below(splat<V>(is_mixed<Case> ? 0 : reach * reach), gap_square);
   }
   /// On the axis there is no normal, and no contact.
   template <class V>
@@ -96,8 +93,8 @@ struct EndSurfaces {
             select(at_start, Derived<Case>::radius - x.z, x.z - (Case::pipe_length - Derived<Case>::radius))};
   }
   template <class V>
-  static FIXDEM_INLINE auto touches(V gap_square) {
-    return gap_square > V{};
+  static FIXDEM_INLINE unsigned touching(V gap_square) {
+    return bits_below(V{}, gap_square);
   }
   template <class V>
   static FIXDEM_INLINE V resolve(const Separation<V>& s, V, Vec3<V>& n) {

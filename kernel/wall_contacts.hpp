@@ -36,8 +36,8 @@ struct WallSide {
       return part(std::integral_constant<int, W>{}, 0);
   }
   template <class V>
-  FIXDEM_INLINE auto touches(const Separation<V>& s) const {
-    return Surface::touches(s.gap_square);
+  FIXDEM_INLINE unsigned touching(const Separation<V>& s) const {
+    return Surface::touching(s.gap_square);
   }
   template <class V>
   FIXDEM_INLINE V root(V gap_square) const {
