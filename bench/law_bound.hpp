@@ -196,7 +196,7 @@ class PackedContacts {
   }
   template <class Law>
   static FIXDEM_INLINE void law(Batch& batch, int lane) {
-    if (!law_of_lanes<Law, SlidingLanes::left>(batch, lane)) law_of_sliding_lanes<Law>(batch, lane);
+    if (!law_of_lanes<Law, SlidingLanes::reported>(batch, lane)) law_of_sliding_lanes<Law>(batch, lane);
   }
 
   Pair pair_;  // formulas of the kernel; their particles are not looked at

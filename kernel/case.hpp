@@ -183,7 +183,7 @@ struct Capacity {
   static constexpr int batch = is_mixed<Case> ? 16 : 8;
   static constexpr unsigned short all_lanes = static_cast<unsigned short>((1u << batch) - 1);  ///< a bit for each
 
-  /// Near pairs of one particle. Twelve equal spheres touch a central one at most; the greatest number observed at a
+  /// Near pairs of one particle. Twelve equal spheres touch a central one at most; the maximum number observed at a
   /// list cut of 1.05 d is 12. The case can set it (`[capacity] neighbours`, default 14). Overflow: the run stops.
   static constexpr int neighbours = Case::neighbour_capacity;
 

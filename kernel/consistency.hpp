@@ -120,8 +120,8 @@ template <class Case>
 bool is_next_sort_consistent(const NearList<Case>& near, long long step) {
   if (near.sorted_at < 0 || near.sorted_at > step || near.next_decision > step + order_interval) return false;
   if (!(near.outer.margin >= 0 && near.outer.margin <= outer_margin<Case> * Case::diameter)) return false;
-  for (double way : near.way)
-    if (!(way >= 0)) return false;
+  for (double travel : near.travel)
+    if (!(travel >= 0)) return false;
   for (double velocity : near.frame)
     if (!(velocity - velocity == 0)) return false;
   return true;

@@ -59,7 +59,7 @@ template <class V>
 struct History {
   Vec3<V> spring;                 ///< tangential displacement, or scaled spring force
   V last_tangential_stiffness{};  ///< `rescale` and energy ledger only; zero: none yet
-  V last_limit{};                 ///< `exact` only: greatest length of the spring in the last step if it slid, or zero
+  V last_limit{};                 ///< `exact` only: maximum length of the spring in the last step if it slid, or zero
   Vec3<V> last_velocity{};        ///< `impulse` only: surface velocity in the last step, m/s
   V state_function{};             ///< `impulse` only: of the damping at the end of the last step
 };
@@ -134,9 +134,10 @@ FIXDEM_INLINE ContactStep<V> slider(const TangentialSpring<V>& s, const Vec3<V>&
   if constexpr (Case::slider != Slider::paper) {
     if constexpr (Case::slider == Slider::exact) {
       const auto slides = s.to_force * s.to_force * dot(trial, trial) > limit * limit;
-      const Vec3<V> way = scale(s.gain, slip.load), kept = {trial.x - way.x, trial.y - way.y, trial.z - way.z};
+      const Vec3<V> growth = scale(s.gain, slip.load),
+                    kept = {trial.x - growth.x, trial.y - growth.y, trial.z - growth.z};
       const SlidSpring<V> slid =
-          exact_return<Case::tangential != TangentialLaw::rescale>(kept, way, last_limit, limit, s.to_force, slides);
+          exact_return<Case::tangential != TangentialLaw::rescale>(kept, growth, last_limit, limit, s.to_force, slides);
       t.spring = select(slides, slid.spring, trial);
       t.last_limit = where(slides, slid.limit);
     } else {
@@ -166,8 +167,8 @@ FIXDEM_INLINE ContactStep<V> slider(const TangentialSpring<V>& s, const Vec3<V>&
 /// A contact step with the lanes replaced that slide. `stuck`: of all lanes as if they stuck; `normal_power`: of the
 /// normal damping, for the ledger.
 template <class Law, class Case, class V, class Normal, class Mask>
-FIXDEM_INLINE ContactStep<V> slide(ContactStep<V> stuck, Mask slides, const TangentialSpring<V>& s,
-                                   const Slip<V>& slip, const Normal& n, V normal_force, V normal_power, V last_limit,
+FIXDEM_INLINE ContactStep<V> slide(ContactStep<V> stuck, Mask slides, const TangentialSpring<V>& s, const Slip<V>& slip,
+                                   const Normal& n, V normal_force, V normal_power, V last_limit,
                                    const Vec3<V>& last_force) {
   const ContactStep<V> slid =
       slider<Law, Case>(s, stuck.spring, slip, constant<V>(Case::friction) * abs(normal_force), last_limit, last_force);
@@ -182,16 +183,16 @@ FIXDEM_INLINE ContactStep<V> slide(ContactStep<V> stuck, Mask slides, const Tang
 }
 
 /// Square of the sine of the angle by which a contact may turn in one step before lengths are restored by a root.
-inline constexpr double greatest_turn = 1e-4;
+inline constexpr double maximum_turn = 1e-4;
 
-/// How a contact_force call deals with lanes that slide: computes them, or leaves the whole call to be repeated by
-/// `at_rest`. In these two no lane may turn by an angle that counts (NearList::is_still), and none is looked at for it,
+/// How a contact_force call deals with lanes that slide: computes them, or reports one and leaves the whole call to be
+/// repeated by `at_rest`. In these two no lane may turn by an angle that counts (NearList::is_still), and none is looked at for it,
 /// so that a lane has the same bits whichever of them it goes through.
-enum class SlidingLanes { computed, left, at_rest };
+enum class SlidingLanes { computed, reported, at_rest };
 
 /// The kept vector projected on the tangent plane and grown by `gain` times the slip. Projection shortens the kept
 /// vector h by the factor sqrt(1 - q), q = (h.n)^2 / h^2; where that is more than half a unit in the last place, its
-/// inverse is made up for by a series, good to 3e-17 up to `greatest_turn`, and beyond by a root.
+/// inverse is made up for by a series, good to 3e-17 up to `maximum_turn`, and beyond by a root.
 template <class Case, SlidingLanes mode, class V, class Normal>
 FIXDEM_INLINE Vec3<V> stuck_spring(const TangentialSpring<V>& s, V gain, const Vec3<V>& kept, const Normal& n,
                                    const Vec3<V>& u, V normal_velocity) {
@@ -211,7 +212,7 @@ FIXDEM_INLINE Vec3<V> stuck_spring(const TangentialSpring<V>& s, V gain, const V
       const V square = dot(kept, kept);
       const V q = turn / max(square, splat<V>(least_square<V>));
       V longer = q * fused(q, fused(q, splat<V>(0.3125), splat<V>(0.375)), splat<V>(0.5));
-      if (const V limit = splat<V>(greatest_turn); any_below(limit, q))
+      if (const V limit = splat<V>(maximum_turn); any_below(limit, q))
         longer =
             select(limit < q, constant<V>(1) / sqrt(max(constant<V>(1) - q, splat<V>(1e-6))) - constant<V>(1), longer);
       spring = add_scaled(spring, s.ratio * where(counts < turn, longer), subtract_scaled(kept, out_of_plane, n));
@@ -254,8 +255,8 @@ FIXDEM_INLINE ContactStep<V> stick(const Springs<V>& k, const TangentialSpring<V
 /// pipe. `surface_velocity` u = v_r + (r w_i + r w_j) x n; `normal_velocity` v_r.n; `damped_velocity`: the normal
 /// velocity that the damping sees (the same with `euler`, predicted half a step ahead with `leapfrog`).
 ///
-/// With `left`, a batch of which any lane slides sets `is_done` to false, and nothing else of the result
-/// counts: without that code and what it needs, the short way keeps its numbers in registers.
+/// With `reported`, a batch of which any lane slides sets `is_done` to false, and nothing else of the result
+/// counts: without that code and what it needs, the short code keeps its numbers in registers.
 template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Mask>
 FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n, const Vec3<V>& surface_velocity,
                                             V normal_velocity, V damped_velocity, Mask touching, History<V>& history,
@@ -275,7 +276,7 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
     ContactStep<V> step =
         stick<Law, Case, mode>(k, s, n, u, normal_velocity, normal_force, normal_power, history.spring);
     const V excess = excess_over_friction<Case>(step.force, s.to_force, step.spring, normal_force);
-    if constexpr (mode == SlidingLanes::left) {
+    if constexpr (mode == SlidingLanes::reported) {
       is_done = !any_below(V{}, excess);
     } else if (any_below(V{}, excess)) {  // forces without overlap are zero, and exceed nothing
       const Vec3<V> slip = subtract_scaled(u, normal_velocity, n);

@@ -53,7 +53,7 @@ FIXDEM_INLINE void interleaved_contacts(const Side& side, const Offset* owner, c
     const auto place = place_of(k);
     [[maybe_unused]] const bool is_done = contact_rows<Case, W, mode>(
         side, g, owner + k, partner + k, side.template motion<W>(owner + k, partner + k), place);
-    if constexpr (mode == SlidingLanes::left)
+    if constexpr (mode == SlidingLanes::reported)
       if (!is_done) sliding_contact_rows<Case, W>(side, g, owner + k, partner + k, place);
   }
 }
@@ -80,13 +80,13 @@ FIXDEM_INLINE void grouped_contacts(const Side& side, const Offset* owner, const
       const auto place = place_of(k);
       [[maybe_unused]] const bool is_done =
           contact_rows<Case, W, mode>(side, *g, owner + k, partner + k, motion, place);
-      if constexpr (mode == SlidingLanes::left)
+      if constexpr (mode == SlidingLanes::reported)
         if (!is_done) sliding_contact_rows<Case, W>(side, *g, owner + k, partner + k, place);
     }
   }
 }
 
-/// The way that suits the registers.
+/// The order of stages that suits the registers.
 template <class Case, int W, SlidingLanes mode, class Side, class Offset, class PlaceOf>
 FIXDEM_INLINE void all_contacts(const Side& side, const Offset* owner, const Offset* partner, int count,
                                 PlaceOf&& place_of, Partials<W, Capacity<Case>::batch, Real<Case>>& overlap) {
@@ -136,7 +136,7 @@ void dense_contacts(const Side side, Batches& batches, int first, int count, boo
   };
   const auto *owner = batches.owner[first], *partner = detail::partners_of(batches, first);
   if (are_still || !Derived<Case>::has_friction)
-    detail::all_contacts<Case, W, SlidingLanes::left>(side, owner, partner, count, place, overlap);
+    detail::all_contacts<Case, W, SlidingLanes::reported>(side, owner, partner, count, place, overlap);
   else if constexpr (Derived<Case>::has_friction)
     detail::all_contacts<Case, W, SlidingLanes::computed>(side, owner, partner, count, place, overlap);
   overlap.put_back(monitor.overlap);

@@ -73,7 +73,7 @@ FIXDEM_INLINE Separation<Lanes<W, Real<Case>>> stored_separation(const StoredSep
 template <class Case, int W, class Side>
 FIXDEM_INLINE void store_geometry(const Side& side, const Separation<Lanes<W, Real<Case>>>& s,
                                   Lanes<W, Real<Case>> root, ContactGeometry<Case, W>& g,
-                                  Lanes<W, Real<Case>>& greatest) {
+                                  Lanes<W, Real<Case>>& maximum) {
   using V = Lanes<W, Real<Case>>;
   Vec3<V> n;
   const V gap_or_overlap = side.resolve(s, root, n), overlap = max(gap_or_overlap, V{});
@@ -88,7 +88,7 @@ FIXDEM_INLINE void store_geometry(const Side& side, const Separation<Lanes<W, Re
     store(g.repulsion, base.repulsion);
     store(g.overlap_root, base.root);
   }
-  greatest = max(overlap, greatest);
+  maximum = max(overlap, maximum);
 }
 
 /// The numbers that W contacts keep.

@@ -30,20 +30,20 @@ struct SlidSpring {
   V limit;
 };
 
-/// Where kept + way is longer than the limit (`slides`). `kept`: the spring before; `way`: growth by the slip of the
+/// Where kept + path is longer than the limit (`slides`). `kept`: the spring before; `path`: growth by the slip of the
 /// step; `last_limit`: the limit before, which `stays_on_limit` means that `kept` still has, or zero where it is not
 /// known because the spring did not slide: then it was as now, or the spring's own length where that is more;
 /// `friction`, `stiffness`: the limit is their quotient. In lanes that do not slide the result is any number.
 template <bool stays_on_limit, class V, class Mask>
-FIXDEM_INLINE SlidSpring<V> exact_return(const Vec3<V>& kept, const Vec3<V>& way, V last_limit, V friction, V stiffness,
-                                         Mask slides) {
+FIXDEM_INLINE SlidSpring<V> exact_return(const Vec3<V>& kept, const Vec3<V>& path, V last_limit, V friction,
+                                         V stiffness, Mask slides) {
   // Products of several lengths are formed: in units of 2^-30 m floats hold them, too.
   constexpr double unit = 0x1p30;
   constexpr bool is_double = sizeof(Element<V>) == sizeof(double);
-  const V least = splat<V>(least_square<V>), least_way = splat<V>(is_double ? 0x1p-200 : 0x1p-30);
+  const V least = splat<V>(least_square<V>), least_path = splat<V>(is_double ? 0x1p-200 : 0x1p-30);
   const V one = splat<V>(1), two = splat<V>(2);
-  const Vec3<V> h = scale(splat<V>(unit), kept), D = scale(splat<V>(unit), way);
-  const V way_square = dot(D, D), way_length = max(sqrt(way_square), least_way);
+  const Vec3<V> h = scale(splat<V>(unit), kept), D = scale(splat<V>(unit), path);
+  const V path_square = dot(D, D), path_length = max(sqrt(path_square), least_path);
   const V last = constant<V>(unit) * last_limit, force = constant<V>(unit) * friction, along = dot(h, D);
 
   // Whoever slid in the last step begins on the limit, and goes on sliding at once unless the spring turns inwards.
@@ -58,7 +58,7 @@ FIXDEM_INLINE SlidSpring<V> exact_return(const Vec3<V>& kept, const Vec3<V>& way
     const V square = dot(h, h), limit = force / max(stiffness, least);
     V first = max(select(slid, last, limit), sqrt(square));
     if constexpr (stays_on_limit) first = select(slid, last, first);
-    const V growth = limit - first, a = fused_minus(growth, growth, way_square), b = fused_minus(first, growth, along);
+    const V growth = limit - first, a = fused_minus(growth, growth, path_square), b = fused_minus(first, growth, along);
     V c = fused_minus(first, first, square);
     if constexpr (stays_on_limit) c = where(began, c);
     const V root = sqrt(max(fused_minus(a, c, b * b), V{}));
@@ -69,14 +69,14 @@ FIXDEM_INLINE SlidSpring<V> exact_return(const Vec3<V>& kept, const Vec3<V>& way
     h_start = add_scaled(h, start, D);
   }
 
-  const V E =
-      falling_exponential(two * way_length * (one - start) * stiffness / max(fused(at_start, stiffness, force), least));
-  const V C = dot(h_start, D), lengths = at_start * way_length;
+  const V E = falling_exponential(two * path_length * (one - start) * stiffness /
+                                  max(fused(at_start, stiffness, force), least));
+  const V C = dot(h_start, D), lengths = at_start * path_length;
   const V A = lengths + C, B = E * E * max(lengths - C, V{});
-  const V whole = way_length * (A + B);
+  const V whole = path_length * (A + B);
   const V scale_to = friction / max(whole * stiffness, least);
-  const V along_way = scale_to * (A - B - two * E * C);
-  return {add_scaled(scale(along_way, D), scale_to * two * E * way_length * way_length, h_start), scale_to * whole};
+  const V along_path = scale_to * (A - B - two * E * C);
+  return {add_scaled(scale(along_path, D), scale_to * two * E * path_length * path_length, h_start), scale_to * whole};
 }
 
 }  // namespace fixdem

@@ -29,8 +29,8 @@ FIXDEM_INLINE V falling_exponential(V x) {
   constexpr double to_whole = is_double ? 0x1.8p52 : 0x1.8p23;  // added, it leaves the nearest whole number in the bits
   constexpr double ln2_high = is_double ? 0x1.62e42fefa0000p-1 : 0x1.62e000p-1;  // exact products with k
   constexpr double ln2_low = is_double ? 0x1.cf79abc9e3b3ap-40 : 0x1.0bfbe8p-15;
-  const V greatest = splat<V>(is_double ? 700 : 80);
-  const V y = x < greatest ? x : greatest;
+  const V maximum = splat<V>(is_double ? 700 : 80);
+  const V y = x < maximum ? x : maximum;
 
   const V shifted = y * constant<V>(1.4426950408889634) + constant<V>(to_whole), k = shifted - constant<V>(to_whole);
   const V r = fused_minus(k, splat<V>(ln2_low), fused_minus(k, splat<V>(ln2_high), y));

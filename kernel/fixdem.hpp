@@ -241,7 +241,7 @@ class Simulation {
     for_each_wall(s_.contacts, [&](auto& walls) { for_each_near_wall<Case>(walls, mark(walls)); });
   }
 
-  /// The contact with the greatest overlap, as a fault where it is beyond the limit.
+  /// The contact with the maximum overlap, as a fault where it is beyond the limit.
   Status deepest() const {
     Status worst{};
     detail::for_each_observed(s_, [&](const detail::Observed<Case>& o) {

@@ -21,10 +21,10 @@
 
 namespace fixdem {
 
-inline constexpr int newton_steps = 8;             ///< 5 reach rounding on random slices; see tests/gas_test.cpp
-inline constexpr double greatest_residual = 1e-9;  ///< relative to the flow
-inline constexpr double full_within = 1e-6;        ///< free height in pipe diameters below which a slice is full
-inline constexpr double least_void_fraction = 0.35, greatest_void_fraction = 0.95;
+inline constexpr int newton_steps = 8;            ///< 5 reach rounding on random slices; see tests/gas_test.cpp
+inline constexpr double maximum_residual = 1e-9;  ///< relative to the flow
+inline constexpr double full_within = 1e-6;       ///< free height in pipe diameters below which a slice is full
+inline constexpr double least_void_fraction = 0.35, maximum_void_fraction = 0.95;
 
 /// The flow in the slices at the last update: all that does not depend on how particles are stored.
 template <class Case>
@@ -98,8 +98,7 @@ struct SplitFlow {
     // Void fraction and Ergun's coefficients.
     const V solids = n * D::volume / (max(bed_area, splat<V>(1e-12 * pipe_area)) * D::slice_length);
     V eps = 1.0 - solids;
-    eps =
-        max(select(eps < greatest_void_fraction, eps, splat<V>(greatest_void_fraction)), splat<V>(least_void_fraction));
+    eps = max(select(eps < maximum_void_fraction, eps, splat<V>(maximum_void_fraction)), splat<V>(least_void_fraction));
     const V c = (1.0 - eps) / (eps * eps * eps);
     a = c * (1.75 * rho / d_g), b = c * (1.0 - eps) * (150 * nu * rho / (d_g * d_g));
     void_fraction = select(occupied, eps, one);
@@ -244,8 +243,8 @@ Status update_slices(GasSlices<Case>& gas, Particles<Case>& p) {
   double set_velocity = 0;
   if constexpr (is_coupled<Case>) set_velocity = p.coupling.gas_velocity;
   if (const double residual = detail::solve_slices<Case, W>(gas, 0, gas.padded, set_velocity);
-      !(residual < greatest_residual))
-    return {Fault::gas_unsolved, -1, 0, residual, greatest_residual};
+      !(residual < maximum_residual))
+    return {Fault::gas_unsolved, -1, 0, residual, maximum_residual};
   constexpr double per_force = Case::time_step / Derived<Case>::mass;
   for (int s = 0; s < Case::slice_count; ++s) gas.kick_in_bed[s] = detail::force_in_bed(gas, s) * per_force;
   for (int i = 0; i < Case::particle_count; ++i) {

@@ -34,7 +34,7 @@ namespace fixdem {
 /// Kept in place of the state function by contacts that have not been looked at yet; less than any true value.
 inline constexpr double found_at_start = -1;
 
-/// A normal impulse, scaled as forces are, and what else depends on the way along the normal.
+/// A normal impulse, scaled as forces are, and what else depends on the path along the normal.
 template <class V>
 struct NormalImpulse {
   V total, damping;      ///< along -n
@@ -44,7 +44,7 @@ struct NormalImpulse {
 };
 
 /// The normal impulse. `velocity`: v, growth of the overlap; `last`: state function of the last step; `pressed`: lanes
-/// with overlap, `touching`: those and the ones that had some. With `left`, lanes that need the closed forms set
+/// with overlap, `touching`: those and the ones that had some. With `reported`, lanes that need the closed forms set
 /// `is_done` to false, and nothing else counts.
 template <class Law, class Case, SlidingLanes mode, class V, class Mask>
 FIXDEM_INLINE NormalImpulse<V> normal_impulse(const OverlapRoots<V>& at, V velocity, V last, Mask pressed,
@@ -63,35 +63,35 @@ FIXDEM_INLINE NormalImpulse<V> normal_impulse(const OverlapRoots<V>& at, V veloc
   const V change = where(pressed, resisted_velocity - velocity);  // (v' - v)/2
 
   NormalImpulse<V> p;
-  const V way_before = constant<V>(half_step) * velocity;
-  const V way_after = constant<V>(half_step) * fused(splat<V>(2), change, velocity);
-  const V way_of_state = constant<V>(half_step) * fused(state_weight, change, velocity);
-  const V reach = constant<V>(detail::short_way) * at.overlap;
+  const V path_before = constant<V>(half_step) * velocity;
+  const V path_after = constant<V>(half_step) * fused(splat<V>(2), change, velocity);
+  const V path_of_state = constant<V>(half_step) * fused(state_weight, change, velocity);
+  const V reach = constant<V>(detail::short_path) * at.overlap;
   const Mask is_short =
-      (abs(way_before) < reach) & (abs(way_after) < reach) & (abs(way_of_state) < reach) & (last > V{});
+      (abs(path_before) < reach) & (abs(path_after) < reach) & (abs(path_of_state) < reach) & (last > V{});
 
   V elastic, damping_mean, state;
   if constexpr (is_hertz) {
-    const V inverse_overlap = inverse * resisted, before = -(way_before * inverse_overlap);
-    const V for_state = way_of_state * inverse_overlap, damping_after = detail::mean_power<1>(for_state);
-    elastic = half * (detail::mean_power<6>(before) + detail::mean_power<6>(way_after * inverse_overlap));
+    const V inverse_overlap = inverse * resisted, before = -(path_before * inverse_overlap);
+    const V for_state = path_of_state * inverse_overlap, damping_after = detail::mean_power<1>(for_state);
+    elastic = half * (detail::mean_power<6>(before) + detail::mean_power<6>(path_after * inverse_overlap));
     elastic = stiffness * at.overlap * elastic;
     damping_mean = half * (detail::mean_power<1>(before) + damping_after);
     state = at.overlap * at.fourth * fused(constant<V>(1.25) * for_state, damping_after, one);
   } else {
-    elastic = stiffness * fused(splat<V>(0.25), way_after - way_before, at.overlap);
+    elastic = stiffness * fused(splat<V>(0.25), path_after - path_before, at.overlap);
     damping_mean = one;
-    state = at.overlap + way_of_state;
+    state = at.overlap + path_of_state;
   }
   V state_before = last;
   p.share_of_step = one;
   const Mask in_full = touching & !is_short;
   is_done = true;
-  if constexpr (mode == SlidingLanes::left) {
+  if constexpr (mode == SlidingLanes::reported) {
     is_done = !any(in_full);
   } else if (any(in_full)) {
-    const detail::WayMeans<V> e =
-        detail::means_in_full<is_hertz>(at, way_before, way_after, way_of_state, last, pressed);
+    const detail::PathMeans<V> e =
+        detail::means_in_full<is_hertz>(at, path_before, path_after, path_of_state, last, pressed);
     constexpr double stiffness_alone = Law::stiffness, damping_alone = Law::damping;
     elastic = select(in_full, constant<V>(stiffness_alone) * e.elastic, elastic);
     damping = select(in_full, splat<V>(damping_alone), damping);
@@ -151,7 +151,7 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
     }
 
     const V excess = where(touching, excess_over_friction<Case>(step.force, s.to_force, step.spring, p.total));
-    if constexpr (mode == SlidingLanes::left) {
+    if constexpr (mode == SlidingLanes::reported) {
       is_done = is_done & !any_below(V{}, excess);
     } else if (any_below(V{}, excess)) {
       const Vec3<V> present = subtract_scaled(u, normal_velocity, n);

@@ -1,11 +1,11 @@
-// Means along straight ways: what the impulse law (impulse_law.hpp) needs to know of one step of a contact.
+// Means along straight paths: what the impulse law (impulse_law.hpp) needs to know of one step of a contact.
 //
 // Two half steps, from the overlap before to the present one and from there on, each at constant velocity; of
-// overlap^(3/2) and overlap^(1/4) along them (linear law: of the overlap, and of one). Short ways go by Taylor series,
+// overlap^(3/2) and overlap^(1/4) along them (linear law: of the overlap, and of one). Short paths go by Taylor series,
 // the others by closed forms in roots and fourth roots of both ends, which do not cancel: with a = p^2, b = q^2 the
 // roots of the ends,
 //   mean of overlap^(3/2) = (2/5) (b^5 - a^5) / (b^2 - a^2),   mean of overlap^(1/4) = (4/5) (q^5 - p^5) / (q^4 - p^4).
-// Where an end is a gap, the mean counts for the share of the way that has overlap.
+// Where an end is a gap, the mean counts for the share of the path that has overlap.
 #pragma once
 
 #include "contact_law.hpp"
@@ -21,10 +21,10 @@ struct OverlapRoots {
 
 namespace detail {
 
-/// Ways up to this share of the overlap go by the series.
-inline constexpr double short_way = 1.0 / 16;
+/// Paths up to this share of the overlap go by the series.
+inline constexpr double short_path = 1.0 / 16;
 
-/// Mean of (1 + q t)^(N/4) over t from 0 to 1 for |q| <= short_way; relative error below 1e-11.
+/// Mean of (1 + q t)^(N/4) over t from 0 to 1 for |q| <= short_path; relative error below 1e-11.
 template <int N, class V>
 FIXDEM_INLINE V mean_power(V q) {
   constexpr int terms = 6;
@@ -35,7 +35,7 @@ FIXDEM_INLINE V mean_power(V q) {
       for (int k = 1; k < CutSeries<terms>::given; ++k) c[k] /= k + 1;
     }
   };
-  static constexpr CutSeries<terms> series(Binomial().c, -short_way, short_way);
+  static constexpr CutSeries<terms> series(Binomial().c, -short_path, short_path);
   return polynomial(series.c, q);
 }
 
@@ -46,9 +46,9 @@ FIXDEM_INLINE V sum_of_fourth_degree(V u, V w) {
   return fused(fused(fused(u + w, u, square), u, square * w), u, square * square);
 }
 
-/// One end of a straight way: overlap (zero for a gap) with its root and fourth root.
+/// One end of a straight path: overlap (zero for a gap) with its root and fourth root.
 template <bool is_hertz, class V>
-FIXDEM_INLINE OverlapRoots<V> end_of_way(V overlap) {
+FIXDEM_INLINE OverlapRoots<V> end_of_path(V overlap) {
   const V inside = max(overlap, V{});
   if constexpr (!is_hertz) return {inside, V{}, V{}};
   const V root = sqrt(inside);
@@ -62,7 +62,7 @@ FIXDEM_INLINE V state_at(const OverlapRoots<V>& end) {
   return end.overlap;
 }
 
-/// Share of a straight way on which there is overlap, as a quotient, which is left to whoever has to divide anyhow.
+/// Share of a straight path on which there is overlap, as a quotient, which is left to whoever has to divide anyhow.
 template <class V>
 struct Share {
   V part, whole;
@@ -76,7 +76,7 @@ FIXDEM_INLINE Share<V> share_with_overlap(V a, V b) {
   return {select(has_gap, max(high, V{}), splat<V>(1)), select(has_gap, high - low, splat<V>(1))};
 }
 
-/// Means along a straight way between two overlaps, times the share of it: of overlap^(3/2), or the overlap ...
+/// Means along a straight path between two overlaps, times the share of it: of overlap^(3/2), or the overlap ...
 template <bool is_hertz, class V>
 FIXDEM_INLINE V elastic_mean(const OverlapRoots<V>& a, const OverlapRoots<V>& b, const Share<V>& share) {
   const V least = splat<V>(least_square<V>);
@@ -95,29 +95,29 @@ FIXDEM_INLINE V damping_mean(const OverlapRoots<V>& a, const OverlapRoots<V>& b,
 
 /// What the closed forms give: means over the step, values of the state function, share of the step for the spring.
 template <class V>
-struct WayMeans {
+struct PathMeans {
   V elastic, damping, state_before, state, share_of_step;
 };
 
 template <bool is_hertz, class V, class Mask>
-FIXDEM_INLINE WayMeans<V> means_in_full(const OverlapRoots<V>& at, V way_before, V way_after, V way_of_state, V last,
-                                        Mask pressed) {
+FIXDEM_INLINE PathMeans<V> means_in_full(const OverlapRoots<V>& at, V path_before, V path_after, V path_of_state,
+                                         V last, Mask pressed) {
   const V half = splat<V>(0.5), one = splat<V>(1), two = splat<V>(2);
-  const Mask approaches = way_before > V{}, has_begun = (last == V{}) & approaches, found = last < V{};
-  const V overlap_before = at.overlap - way_before, overlap_after = at.overlap + way_after;
-  const V overlap_of_state = at.overlap + way_of_state;
+  const Mask approaches = path_before > V{}, has_begun = (last == V{}) & approaches, found = last < V{};
+  const V overlap_before = at.overlap - path_before, overlap_after = at.overlap + path_after;
+  const V overlap_of_state = at.overlap + path_of_state;
   const OverlapRoots<V> now = {max(at.overlap, V{}), at.root, at.fourth};
-  const OverlapRoots<V> before = end_of_way<is_hertz>(select(has_begun, V{}, overlap_before));
-  const OverlapRoots<V> after = end_of_way<is_hertz>(overlap_after);
-  const OverlapRoots<V> of_state = end_of_way<is_hertz>(overlap_of_state);
-  const V longest = two * way_before;  // since it has begun: the half step before this one, too
+  const OverlapRoots<V> before = end_of_path<is_hertz>(select(has_begun, V{}, overlap_before));
+  const OverlapRoots<V> after = end_of_path<is_hertz>(overlap_after);
+  const OverlapRoots<V> of_state = end_of_path<is_hertz>(overlap_of_state);
+  const V longest = two * path_before;  // since it has begun: the half step before this one, too
   Share<V> share_before = share_with_overlap(overlap_before, at.overlap);
   share_before.part = select(has_begun, at.overlap < longest ? at.overlap : longest, share_before.part);
-  share_before.whole = select(has_begun, way_before, share_before.whole);
+  share_before.whole = select(has_begun, path_before, share_before.whole);
   const Share<V> share_after = share_with_overlap(at.overlap, overlap_after);
   const Share<V> share_of_state = share_with_overlap(at.overlap, overlap_of_state);
 
-  WayMeans<V> m;
+  PathMeans<V> m;
   m.elastic = half * (elastic_mean<is_hertz>(before, now, share_before) +
                       where(pressed, elastic_mean<is_hertz>(now, after, share_after)));
   m.damping = half * (damping_mean<is_hertz>(before, now, share_before) +
@@ -127,7 +127,7 @@ FIXDEM_INLINE WayMeans<V> means_in_full(const OverlapRoots<V>& at, V way_before,
   m.share_of_step = one;
   if (const Mask begins = has_begun | found; any(begins)) {
     const V whole = select(found, half, one);
-    const V from_begin = half * at.overlap / max(way_before, splat<V>(least_square<V>));
+    const V from_begin = half * at.overlap / max(path_before, splat<V>(least_square<V>));
     m.share_of_step = select(begins & approaches & (from_begin < whole), from_begin, whole);
   }
   return m;

@@ -117,14 +117,14 @@ Status list_pairs(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   return {};
 }
 
-/// Before a step of a range, in which its particles have come `way` at most relative to each other: lists again what no
-/// longer holds. Particles have kept their numbers since the last time.
+/// Before a step of a range, in which its particles have come `travel` at most relative to each other: lists again what
+/// no longer holds. Particles have kept their numbers since the last time.
 template <class Case, int W>
 Status keep_listed(Contacts<Case>& contacts, NearList<Case>& near, const Particles<Case>& p, KeptHistory<Case>& kept,
-                   int range, double way) {
+                   int range, double travel) {
   using Cap = Capacity<Case>;
   Status status;
-  if (!contacts.pairs.validity[range].still_holds(way)) {
+  if (!contacts.pairs.validity[range].still_holds(travel)) {
     ++near.listings;
     keep_pair_histories(contacts, p, kept, range);
     status = list_pairs<Case, W>(contacts, near, p, kept, range);

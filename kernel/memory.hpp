@@ -83,7 +83,7 @@ constexpr bool within_budget() {
   return true;
 }
 
-/// A capacity, and the greatest use made of it so far.
+/// A capacity, and the maximum use made of it so far.
 struct HighWater {
   const char* name;
   int limit, high_water;

@@ -27,7 +27,7 @@ struct NearList {
 
   VelocityBox velocities[Cap::chunks];  ///< at present
   double frame[3];                      ///< velocity, m/s
-  double way[Cap::chunks];              ///< bound on the way in that frame since the sort, m
+  double travel[Cap::chunks];           ///< bound on the travel in that frame since the sort, m
   long long sorted_at;                  ///< step of the last sort
   long long next_decision;              ///< step at which it is decided whether to sort
   OuterList<Case> outer;
@@ -61,16 +61,17 @@ struct NearList {
   /// A chunk has moved.
   void note_step(int chunk, const VelocityBox& box) {
     velocities[chunk] = box;
-    way[chunk] += box.speed(frame) * Case::time_step;
+    travel[chunk] += box.speed(frame) * Case::time_step;
   }
 
   /// Whether particles must be sorted before this step. If not, the next decision is set.
   bool order_is_due(long long step) {
     if (step < next_decision) return false;
     double longest = 0, fastest = 0;
-    for (int c = 0; c < Cap::chunks; ++c) longest = max(way[c], longest), fastest = max(velocities[c].speed(), fastest);
+    for (int c = 0; c < Cap::chunks; ++c)
+      longest = max(travel[c], longest), fastest = max(velocities[c].speed(), fastest);
     const VelocityBox still{{0, 0, 0}, {0, 0, 0}};
-    const double rest = outer.allowed_way() - longest;
+    const double rest = outer.allowed_travel() - longest;
     const double of_a_step = (speed_growth * fastest + still.speed(frame)) * Case::time_step;
     if (!(of_a_step <= rest)) return true;
     // What flies as one leaves a periodic pipe without using anything up; it must not by a whole length.
@@ -90,7 +91,7 @@ struct NearList {
       velocities[chunk] = {};
       for (int i = base; i < base + particles_in<Case>(chunk); ++i) velocities[chunk].add(p.motion[i], p.motion[i]);
       all.add(velocities[chunk]);
-      way[chunk] = 0;
+      travel[chunk] = 0;
     }
     for (int c = 0; c < 3; ++c) frame[c] = 0.5 * (all.low[c] + all.high[c]);
     ++sorts;

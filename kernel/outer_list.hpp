@@ -34,7 +34,7 @@ struct OuterList {
   int last_at_start, first_at_end;  ///< chunks up to and from which particles have pairs across the periodic ends
   int cell_start[Cells<Case>::count + 1];  ///< first particle of each cell, at the last sort
   /// How far a particle may come, m. With gas the list must go on holding what makes a bed (floaters.hpp).
-  double allowed_way() const { return 0.5 * (margin - (Case::has_gas ? (near_reach - 1) * Case::diameter : 0)); }
+  double allowed_travel() const { return 0.5 * (margin - (Case::has_gas ? (near_reach - 1) * Case::diameter : 0)); }
   bool concerns_ends(int chunk) const { return chunk <= last_at_start || chunk >= first_at_end; }
 };
 
@@ -148,7 +148,7 @@ Status list_outer(OuterList<Case>& outer, SortScratch<Case>& at, const Particles
         }
       return status;
     }
-    if (outer.allowed_way() < least_outer_margin * Case::diameter) return status;
+    if (outer.allowed_travel() < least_outer_margin * Case::diameter) return status;
   }
 }
 

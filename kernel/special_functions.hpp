@@ -55,13 +55,13 @@ namespace detail {
 template <int numerator, int denominator>
 struct PowerTable {
   static constexpr double p = static_cast<double>(numerator) / denominator;
-  static constexpr int cells = 32, least = -128, greatest = 127;
-  double midpoint[cells] = {}, binary[greatest - least + 1] = {}, binomial[9] = {};
+  static constexpr int cells = 32, least = -128, maximum = 127;
+  double midpoint[cells] = {}, binary[maximum - least + 1] = {}, binomial[9] = {};
   constexpr PowerTable() {
     for (int k = 0; k < cells; ++k) midpoint[k] = exponential(p * logarithm(1 + (k + 0.5) / cells));
     const double up = exponential(p * 0.693147180559945309417);
     binary[-least] = 1;
-    for (int e = 1; e <= greatest; ++e) binary[e - least] = binary[e - 1 - least] * up;
+    for (int e = 1; e <= maximum; ++e) binary[e - least] = binary[e - 1 - least] * up;
     for (int e = -1; e >= least; --e) binary[e - least] = binary[e + 1 - least] / up;
     binomial[0] = 1;
     for (int n = 1; n < 9; ++n) binomial[n] = binomial[n - 1] * (p - n + 1) / n;
@@ -79,7 +79,7 @@ double power(double x) {
   __builtin_memcpy(&bits, &x, sizeof bits);
   int exponent = static_cast<int>(bits >> 52 & 2047) - 1023;
   if (exponent < table.least) exponent = table.least;
-  if (exponent > table.greatest) exponent = table.greatest;
+  if (exponent > table.maximum) exponent = table.maximum;
   const int cell = static_cast<int>(bits >> 47 & 31);
   bits = (bits & ((std::uint64_t{1} << 52) - 1)) | std::uint64_t{1023} << 52;
   double m;

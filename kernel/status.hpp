@@ -14,8 +14,8 @@ enum class Fault {
   non_finite,          ///< a position or velocity that is no number
   outside_pipe,        ///< distance from the axis, or place along a closed pipe, in m
   overlap,             ///< overlap of a contact, in radii
-  too_fast,            ///< way of a particle in one step, in radii
-  order_lost,          ///< way of a particle since the order along the pipe was made, in diameters
+  too_fast,            ///< travel of a particle in one step, in radii
+  order_lost,          ///< travel of a particle since the order along the pipe was made, in diameters
   gas_unsolved         ///< relative residual of the flow split of a slice
 };
 
@@ -52,7 +52,7 @@ struct Status {
   int particle = -1;   ///< number in input order; -1 where it is no particle's
   long long step = 0;  ///< steps completed when the fault was found
   double value = 0;    ///< what describe(fault) says
-  double limit = 0;    ///< the greatest value allowed
+  double limit = 0;    ///< the maximum allowed
   constexpr bool ok() const { return fault == Fault::none; }
 };
 

@@ -16,7 +16,7 @@
 namespace fixdem {
 
 /// A particle that travels further than this in one step, in radii, could pass through another one unseen.
-inline constexpr double greatest_way_per_step = 0.5;
+inline constexpr double maximum_travel_per_step = 0.5;
 
 template <class Case>
 struct State {
@@ -56,8 +56,8 @@ Status find_culprit(const State<Case>& s, int chunk, Fault fault, double limit) 
       if (!(square - square == 0)) return {fault, p.id[i], 0, square, limit};
       continue;
     }
-    const double way = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * Case::time_step / Derived<Case>::radius;
-    if (worst.particle < 0 || way > worst.value) worst.particle = p.id[i], worst.value = way;
+    const double travel = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * Case::time_step / Derived<Case>::radius;
+    if (worst.particle < 0 || travel > worst.value) worst.particle = p.id[i], worst.value = travel;
   }
   return worst;
 }
@@ -67,7 +67,7 @@ Status find_culprit(const State<Case>& s, int chunk, Fault fault, double limit) 
 /// Overlap of a range at the beginning of the step; whose it is is left to be named by the caller (observe.hpp).
 template <class Case>
 Status check_overlap(State<Case>& s, int range) {
-  const double deepest = greatest_of(s.monitor[range].overlap), overlap = deepest / Derived<Case>::radius;
+  const double deepest = maximum_of(s.monitor[range].overlap), overlap = deepest / Derived<Case>::radius;
   if (deepest > s.deepest) s.deepest = deepest;
   if (!(overlap <= Case::max_overlap)) return {Fault::overlap, -1, 0, overlap, Case::max_overlap};
   return {};
@@ -80,21 +80,21 @@ Status check_chunk(State<Case>& s, int chunk, long long step) {
   if (const Status deep = check_overlap(s, chunk); !deep.ok()) return deep;
   const double sum = sum_of(s.monitor[chunk].square_sum);
   if (!(sum - sum == 0)) return detail::find_culprit(s, chunk, Fault::non_finite, 0);
-  if (s.near_list.velocities[chunk].speed() * Case::time_step > greatest_way_per_step * radius) {
-    const Status fastest = detail::find_culprit(s, chunk, Fault::too_fast, greatest_way_per_step);
-    if (fastest.value > greatest_way_per_step) return fastest;
+  if (s.near_list.velocities[chunk].speed() * Case::time_step > maximum_travel_per_step * radius) {
+    const Status fastest = detail::find_culprit(s, chunk, Fault::too_fast, maximum_travel_per_step);
+    if (fastest.value > maximum_travel_per_step) return fastest;
   }
-  if (s.near_list.way[chunk] > s.near_list.outer.allowed_way() && step + 1 < s.near_list.next_decision)
+  if (s.near_list.travel[chunk] > s.near_list.outer.allowed_travel() && step + 1 < s.near_list.next_decision)
     return {Fault::order_lost, detail::find_culprit(s, chunk, Fault::too_fast, 0).particle, 0,
-            s.near_list.way[chunk] / Case::diameter, s.near_list.outer.allowed_way() / Case::diameter};
+            s.near_list.travel[chunk] / Case::diameter, s.near_list.outer.allowed_travel() / Case::diameter};
   return {};
 }
 
 /// Lists again what no longer holds of a range, and begins its step.
 template <class Case, int W>
 void begin_range(State<Case>& s, int range, long long step) {
-  const double way = s.near_list.velocities_of(range).spread() * Case::time_step;
-  const Status listed = keep_listed<Case, W>(s.contacts, s.near_list, s.particles, s.kept, range, way);
+  const double travel = s.near_list.velocities_of(range).spread() * Case::time_step;
+  const Status listed = keep_listed<Case, W>(s.contacts, s.near_list, s.particles, s.kept, range, travel);
   if (!listed.ok()) detail::note(s, listed, step + 1);
   s.monitor[range].begin_step();
 }

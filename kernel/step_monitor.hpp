@@ -24,13 +24,13 @@ struct Ledger<Case, false> {};
 
 template <class Case>
 struct StepMonitor {
-  alignas(64) Real<Case> overlap[Capacity<Case>::batch];  ///< greatest overlaps, m
+  alignas(64) Real<Case> overlap[Capacity<Case>::batch];  ///< maximum overlaps, m
   alignas(64) double low[8], high[8];                     ///< minimum and maximum of each column of motion
   alignas(64) double square_sum[8];  ///< sum of their squares; not finite as soon as one value is not
   [[no_unique_address]] Ledger<Case> ledger;
 
   void begin_step() {
-    for (auto& greatest : overlap) greatest = 0;
+    for (auto& maximum : overlap) maximum = 0;
     for (int k = 0; k < 8; ++k) low[k] = 1e300, high[k] = -1e300, square_sum[k] = 0;
   }
 };
@@ -43,10 +43,10 @@ constexpr double sum_of(const double (&a)[Size]) {
   return sum;
 }
 template <class T, int Size>
-double greatest_of(const T (&a)[Size]) {
-  T greatest = 0;
-  for (T x : a) greatest = max(x, greatest);
-  return greatest;
+double maximum_of(const T (&a)[Size]) {
+  T maximum = 0;
+  for (T x : a) maximum = max(x, maximum);
+  return maximum;
 }
 
 /// Partial values of the monitor in registers, for the length of a loop.

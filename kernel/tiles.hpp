@@ -41,12 +41,12 @@ struct TileShape {
 /// of the gas, as the pipe is long enough and there is room for rows.
 template <class Case>
 int tile_depth(const State<Case>& s, long long steps) {
-  constexpr int greatest = Capacity<Case>::tile_steps;
-  static_assert(greatest >= 1 && greatest <= order_interval, "fixdem: [capacity] tile_steps must lie between 1 and 16");
-  static_assert(Capacity<Case>::chunks >= chunks_for_tile(greatest),
+  constexpr int maximum = Capacity<Case>::tile_steps;
+  static_assert(maximum >= 1 && maximum <= order_interval, "fixdem: [capacity] tile_steps must lie between 1 and 16");
+  static_assert(Capacity<Case>::chunks >= chunks_for_tile(maximum),
                 "fixdem: tiles need a pipe of many chunks: lower [capacity] tile_steps");
-  if (greatest == 1) return 1;
-  long long depth = steps < greatest ? steps : greatest;
+  if (maximum == 1) return 1;
+  long long depth = steps < maximum ? steps : maximum;
   const auto end_before = [&](long long left) { depth = left < depth ? left : depth; };
   end_before(s.near_list.next_decision - s.step);
   if constexpr (Case::has_gas) {

@@ -43,14 +43,14 @@ struct VelocityBox {
 struct Validity {
   double margin, used;  ///< m
 
-  /// `way`: of a step; `widest`: maximum of the margin, in diameters.
-  void renew(double way, double widest, double diameter) {
-    margin = min(max(way * horizon_steps * 1.2, minimum_margin * diameter), widest * diameter);
+  /// `travel`: of a step; `widest`: maximum of the margin, in diameters.
+  void renew(double travel, double widest, double diameter) {
+    margin = min(max(travel * horizon_steps * 1.2, minimum_margin * diameter), widest * diameter);
     used = 0;
   }
   /// A step further; false when the list no longer holds. A NaN counts as that.
-  bool still_holds(double way) {
-    used += way;
+  bool still_holds(double travel) {
+    used += travel;
     return used <= margin;
   }
 };

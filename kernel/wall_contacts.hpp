@@ -15,13 +15,13 @@ struct WallSide {
   static constexpr bool needs_gap_square = is_mixed<Case> || !has_root;
 
   const double* position;
-  const R* moving;
+  const R* owner_motion;
   const double* last_kick = nullptr;
 
   /// Owners count from particle `base`.
   WallSide(const Particles<Case>& particles, int base) {
     position = particles.position[base];
-    moving = particles.looked_up_motion(base);
+    owner_motion = particles.looked_up_motion(base);
     if constexpr (Particles<Case>::predicts) last_kick = particles.last_kick.row[base];
   }
 
@@ -50,9 +50,9 @@ struct WallSide {
   template <int W, class Offset>
   FIXDEM_INLINE Motion<Lanes<W, R>> motion(const Offset* owner, const Offset*) const {
     if constexpr (Derived<Case>::has_friction)
-      return load_motion<W>(moving, owner);
+      return load_motion<W>(owner_motion, owner);
     else
-      return {load_vectors<W>(moving, owner), Vec3<Lanes<W, R>>{}};
+      return {load_vectors<W>(owner_motion, owner), Vec3<Lanes<W, R>>{}};
   }
   template <int W, class Offset>
   FIXDEM_INLINE Vec3<Lanes<W, R>> kick(const Offset* owner, const Offset*) const {

@@ -30,7 +30,7 @@ TEST_CASE("acceptance: the restitution depends on no material") {
 }
 
 template <int step_in_hundred_ns>
-void check_error(double least, double greatest) {
+void check_error(double least, double maximum) {
   const double euler = restitution_error<Kernel, phases<step_in_hundred_ns, Integrator::euler>>();
   const double leapfrog = restitution_error<Kernel, phases<step_in_hundred_ns, Integrator::leapfrog>>();
   if (std::getenv("FIXDEM_FIGURES") != nullptr) {
@@ -39,7 +39,7 @@ void check_error(double least, double greatest) {
   }
   for (const double error : {euler, leapfrog}) {
     CHECK(error > least);
-    CHECK(error < greatest);
+    CHECK(error < maximum);
   }
 }
 

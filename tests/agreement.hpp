@@ -1,4 +1,4 @@
-// Kernel against reference: the same state to both, the same number of steps, and the greatest difference.
+// Kernel against reference: the same state to both, the same number of steps, and the maximum difference.
 //
 // The two round differently, and a granular bed amplifies a difference e-fold in about 1.2 ms (in a dense bed) to 4 ms:
 // over the 2 ms of 1000 steps, rounding at 1e-17 m grows to some 1e-14 m and more where spheres collide hard. Positions
@@ -10,7 +10,7 @@
 // diameters, before anything amplifies it. Whichever one quantity of a contact is in float, the others in double, the
 // error is of that size, so an agitated scene cannot agree better than to some 1e-8 d; a settled bed, where
 // velocities are some mm/s, agrees to 1e-10 d. A wrong formula shows at 1e-4 d and more. The ledger sums 1e4 and more
-// contact powers in double, each right to some 1e-7: to 1e-6 of the greatest term.
+// contact powers in double, each right to some 1e-7: to 1e-6 of the largest term.
 #pragma once
 
 #include <cstdlib>
@@ -34,7 +34,7 @@ inline constexpr double agitated_tolerance = is_mixed<Case> ? 3e-7 : 1e-11;  // 
 template <class Case>
 inline constexpr double mean_square_tolerance = is_mixed<Case> ? 0.1 : 1;  // of the tolerance, root mean square
 template <class Case>
-inline constexpr double energy_tolerance = is_mixed<Case> ? 1e-6 : 1e-9;  // of the greatest term
+inline constexpr double energy_tolerance = is_mixed<Case> ? 1e-6 : 1e-9;  // of the largest term
 
 /// What happened to the contacts meanwhile: a comparison is worth little where nothing began, ended, slid or stuck.
 struct Events {

@@ -89,7 +89,7 @@ void attack() {
   hostile.change("chunks at the ends", s.near_list.outer.last_at_start);
   hostile.change("next decision", s.near_list.next_decision);
   hostile.change("last sort", s.near_list.sorted_at);
-  hostile.change("ways since then", s.near_list.way);
+  hostile.change("travel since then", s.near_list.travel);
   hostile.change("kept histories", s.kept);
   hostile.change("owners", s.contacts.pairs.owner);
   hostile.change("partners", s.contacts.pairs.partner);
@@ -129,7 +129,7 @@ TEST_CASE("consistency: single promises of a state") {
   CHECK(refused(outer.span, outer.span + 1));
   CHECK(refused(s.near_list.next_decision, s.step + 1000000));
   CHECK(refused(s.near_list.sorted_at, s.step + 1));
-  CHECK(refused(s.near_list.way[0], -1.0));
+  CHECK(refused(s.near_list.travel[0], -1.0));
   CHECK(refused(outer.last_at_start, Capacity<small_gas>::chunks));
   CHECK(refused(outer.pairs[0], outer.capacity(0) + 1));
   CHECK(refused(outer.partner[0], Rows<small_gas>::offset((outer.span + 1) * Capacity<small_gas>::chunk_size)));

@@ -24,12 +24,12 @@ void place_both() {
   start(coupled);
 }
 
-double greatest_difference() {
-  double greatest = 0;
+double maximum_difference() {
+  double maximum = 0;
   for (int id = 0; id < small_gas::particle_count; ++id)
     for (int c = 0; c < 3; ++c)
-      greatest = std::max(greatest, std::abs(fixed.particle(id).position[c] - coupled.particle(id).position[c]));
-  return greatest;
+      maximum = std::max(maximum, std::abs(fixed.particle(id).position[c] - coupled.particle(id).position[c]));
+  return maximum;
 }
 
 TEST_CASE("coupling: values set before the first step are as good as constants of the case, to the last bit") {
@@ -39,7 +39,7 @@ TEST_CASE("coupling: values set before the first step are as good as constants o
   coupled.set_gas_velocity(other_gas::gas_velocity);
   run(fixed, 3000);
   run(coupled, 3000);
-  CHECK(greatest_difference() == 0);
+  CHECK(maximum_difference() == 0);
   CHECK(fixed.energy().gas_work == coupled.energy().gas_work);
   CHECK(fixed.energy().gravity_work == doctest::Approx(coupled.energy().gravity_work).epsilon(1e-12));
 }
@@ -49,7 +49,7 @@ TEST_CASE("coupling: start() returns to the case's values; the energy of gravity
   place_both();
   run(fixed, 1000);
   run(coupled, 1000);
-  CHECK(greatest_difference() > 1e-6);
+  CHECK(maximum_difference() > 1e-6);
   const double before = coupled.energy().gravity_work;
   coupled.set_gravity({0, 0, 0});
   CHECK(coupled.energy().gravity_work == doctest::Approx(before).epsilon(1e-12));

@@ -33,7 +33,7 @@ FREESTANDING = {"cstddef", "limits", "cfloat", "cstdint", "version", "new", "typ
 INTRINSICS = {"lanes_neon.hpp": {"arm_neon.h"}}
 # What gcc and clang may call in any program (gcc's manual, "Standards"); copying and filling, no mathematics.
 OF_THE_COMPILER = {"memcpy", "memmove", "memset", "memcmp"}
-GREATEST_STACK = 56 * 1024  # bytes, with eight lanes; the sum of all frames, as if each function called all others: packed
+MAXIMUM_STACK = 56 * 1024  # bytes, with eight lanes; the sum of all frames, as if each function called all others: packed
 # contacts of pairs and of walls (sparse_contacts.hpp) have 15 KiB each and never lie on the stack together
 
 
@@ -92,7 +92,7 @@ class Freestanding(unittest.TestCase):
             self.assertIn(kind, ("static", "dynamic,bounded"), name)
         # `bounded` leaves out what aligning a frame to 64 bytes may skip.
         total = sum(int(size) + 64 + 16 for _, size, _ in frames)
-        self.assertLess(total, GREATEST_STACK)
+        self.assertLess(total, MAXIMUM_STACK)
         self.assertGreater(total, 1024)  # the compiler did report
 
         calls = Calls(self.link_without_library())

@@ -32,7 +32,7 @@ TEST_CASE("impulse parts: means along short ways") {
   // ((1 + q)^(p + 1) - 1) / ((p + 1) q) in long double, where it cancels to 1e-17 at most.
   const auto mean = [](long double q, long double p) { return (std::pow(1 + q, p + 1) - 1) / ((p + 1) * q); };
   double elastic = 0, damping = 0;
-  for (double q = -detail::short_way; q <= detail::short_way; q += detail::short_way / 100) {
+  for (double q = -detail::short_path; q <= detail::short_path; q += detail::short_path / 100) {
     if (std::abs(q) < 1e-3) continue;
     elastic = std::max(elastic, static_cast<double>(std::abs(detail::mean_power<6>(q) - mean(q, 1.5L))));
     damping = std::max(damping, static_cast<double>(std::abs(detail::mean_power<1>(q) - mean(q, 0.25L))));

@@ -33,7 +33,7 @@ struct resting_bed : cases::pipe_bed {
 };
 
 struct Speeds {
-  double greatest = 0, mean_square = 0;
+  double maximum = 0, mean_square = 0;
 };
 
 /// Over 10000 steps, looked at every 100.
@@ -45,7 +45,7 @@ Speeds speeds() {
     run(kernel<Case>(), 100);
     for (int id = 0; id < Case::particle_count; ++id) {
       const double speed = length(kernel<Case>().particle(id).velocity);
-      seen.greatest = std::max(seen.greatest, speed);
+      seen.maximum = std::max(seen.maximum, speed);
       squares += speed * speed;
     }
   }
@@ -55,20 +55,20 @@ Speeds speeds() {
 
 /// Comes to rest within 8 s, and is at rest 0.2 s later.
 template <class Case>
-void check_rest(double greatest, double mean_square) {
+void check_rest(double maximum, double mean_square) {
   enter({Case::name, seed()});
   place_all(kernel<Case>(), layered_spheres<Case>(Case::pipe_length / 7.3, 0.5, Random(seed())));
   start(kernel<Case>());
-  const auto rests = [&](const Speeds& seen) { return seen.greatest < greatest && seen.mean_square < mean_square; };
+  const auto rests = [&](const Speeds& seen) { return seen.maximum < maximum && seen.mean_square < mean_square; };
   for (int piece = 0; piece < 16 && !rests(speeds<Case>()); ++piece) run(kernel<Case>(), 250000);
   run(kernel<Case>(), 100000);
   const Speeds seen = speeds<Case>();
-  CHECK(seen.greatest < greatest);
+  CHECK(seen.maximum < maximum);
   CHECK(seen.mean_square < mean_square);
   CHECK(kernel<Case>().observe().coordination_number > 3);
   if (std::getenv("FIXDEM_FIGURES") != nullptr)
     std::cerr << std::scientific << std::setprecision(1) << "  at rest after " << kernel<Case>().time()
-              << " s: " << seen.greatest << " m/s, root mean square " << seen.mean_square
+              << " s: " << seen.maximum << " m/s, root mean square " << seen.mean_square
               << " m/s: " << (is_mixed<Case> ? "mixed" : "double") << "\n";
 }
 

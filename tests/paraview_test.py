@@ -64,7 +64,7 @@ for particle in (0, count // 2, count - 1):
 axial = math.fsum(arrays["velocity"].GetTuple3(k)[2] for k in range(count)) / count
 check("mean axial velocity is that of the summary", near(axial, final["mean_axial_velocity"], 1e-9), axial)
 speed = max(math.hypot(*arrays["velocity"].GetTuple3(k)) for k in range(count))
-check("so is the greatest speed", near(speed, final["max_speed"], 1e-12), speed)
+check("so is the maximum speed", near(speed, final["max_speed"], 1e-12), speed)
 contacts = sum(arrays["contacts"].GetValue(k) for k in range(count))
 check("contacts add up to those of the log", contacts == 2 * int(last["pair contacts"]) + int(last["wall contacts"]), contacts)
 field = data.GetFieldData()

@@ -185,7 +185,7 @@ class Verdicts(WithFolder):
         self.assertFalse(Check("", 1.0, math.nan, 1.0, "").holds)
         self.assertFalse(worst("", 0.1, "", [1.0, 2.0, 3.0], [1.0, math.nan, 3.0]).holds)
 
-    def test_the_greatest_difference_counts(self):
+    def test_the_maximum_difference_counts(self):
         check = worst("", 0.1, "", [1.0, 2.0, 3.0], [1.0, 2.5, 3.2])
         self.assertEqual((check.ours, check.theirs, check.holds), (2.0, 2.5, False))
 

@@ -36,7 +36,7 @@ double min_distance(const std::vector<Position>& x, double period) {
   return least;
 }
 
-double greatest_reach(const std::vector<Position>& x) {
+double maximum_reach(const std::vector<Position>& x) {
   double reach = 0;
   for (const Position& p : x) reach = std::max(reach, std::hypot(p[0], p[1]));
   return reach;
@@ -66,7 +66,7 @@ TEST_CASE("arrangement: no overlap, inside the pipe, reproducible; dense ones ar
     const auto x = arrange({0.05, 2.0, false}, 1000, d, 1, &report);
     CHECK(report.inserted_overlapping == 0);
     CHECK(min_distance(x, 0) >= d);
-    CHECK(greatest_reach(x) <= 0.02);
+    CHECK(maximum_reach(x) <= 0.02);
     for (const Position& p : x) CHECK((p[2] >= d / 2 && p[2] <= 2 - d / 2));
     CHECK(arrange({0.05, 2.0, false}, 1000, d, 1) == x);
     CHECK(arrange({0.05, 2.0, false}, 1000, d, 2) != x);
@@ -76,7 +76,7 @@ TEST_CASE("arrangement: no overlap, inside the pipe, reproducible; dense ones ar
     const auto x = arrange({0.05, 0.8, true}, 1000, d, 1, &report);
     CHECK(report.inserted_overlapping > 0);
     CHECK(min_distance(x, 0.8) >= d);
-    CHECK(greatest_reach(x) <= 0.02);
+    CHECK(maximum_reach(x) <= 0.02);
     for (const Position& p : x) CHECK((p[2] >= 0 && p[2] < 0.8));
   }
   SUBCASE("a wide pipe") { CHECK(min_distance(arrange({0.2, 0.2, true}, 2000, d, 7), 0.2) >= d); }
@@ -97,14 +97,14 @@ TEST_CASE("arrangement: what cannot be placed is refused with numbers and advice
 
 TEST_CASE("arrangement: velocities are uniform in their bounds") {
   const auto particles = arrange_moving({0.05, 2.0, false}, 1000, 0.01, 0.5, 1);
-  double sum[3] = {}, greatest = 0;
+  double sum[3] = {}, maximum = 0;
   for (const Particle& p : particles)
     for (int k = 0; k < 3; ++k) {
       sum[k] += p.velocity[k] * p.velocity[k] / 1000;
-      greatest = std::max(greatest, std::fabs(p.velocity[k]));
+      maximum = std::max(maximum, std::fabs(p.velocity[k]));
       CHECK(p.angular_velocity[k] == 0);
     }
-  CHECK(greatest <= 0.5);
+  CHECK(maximum <= 0.5);
   for (double mean_square : sum) CHECK(mean_square == doctest::Approx(0.25 / 3).epsilon(0.1));
 }
 
@@ -205,13 +205,13 @@ TEST_CASE("energy balance: relative to the largest term") {
   CHECK(balance_error(Energy{}, Energy{}) == 0);
 }
 
-TEST_CASE("the greatest value of a sampled curve comes from a parabola") {
-  ParabolicMaximum greatest;
+TEST_CASE("the maximum value of a sampled curve comes from a parabola") {
+  ParabolicMaximum maximum;
   for (int k = 0; k <= 10; ++k) {
     const double t = k - 4.3;
-    greatest.add(7 - 0.5 * t * t);
+    maximum.add(7 - 0.5 * t * t);
   }
-  CHECK(greatest.value() == doctest::Approx(7));
+  CHECK(maximum.value() == doctest::Approx(7));
 }
 
 TEST_CASE("fault report: contact time, advice and exit codes") {

@@ -58,7 +58,7 @@ TEST_CASE("program: a short run of every shipped case") {
     check_keys(s, {"case",      "case_hash", "features",  "precision",   "integrator", "time_step",   "steps",
                    "status",    "final",     "stability", "energy",      "capacity",   "performance", "plug",
                    "collision", "particles", "kernel",    "start_state", "duration",   "frames"});
-    check_keys(s["stability"], {"greatest_step_ratio", "steps_per_contact", "steps_per_contact_needed"});
+    check_keys(s["stability"], {"maximum_step_ratio", "steps_per_contact", "steps_per_contact_needed"});
     check_keys(s["final"], {"time", "kinetic_energy", "contacts", "coordination_number", "max_overlap", "max_speed",
                             "mean_axial_velocity", "mean_height", "state_hash"});
     check_keys(s["energy"], {"kinetic", "elastic", "elastic_tangential", "dissipated", "dissipated_damping",

@@ -110,7 +110,7 @@ TEST_CASE("property: an elastic impact never gains energy in the rescale form") 
 }
 
 /// One contact led around a closed way of overlap and tangential displacement, from and to first touch; no slip, no
-/// damping. Returns the work that the contact has done, over the greatest elastic energy: above zero it is a source.
+/// damping. Returns the work that the contact has done, over the maximum elastic energy: above zero it is a source.
 template <class Case>
 double work_around_cycle(Random& random) {
   using Law = ContactLaw<Case, false>;

@@ -203,7 +203,7 @@ class Page(WithFolder):
             sys.path.insert(0, str(root / folder))
         from page_content import time_step_verdicts
 
-        stability = {"greatest_step_ratio": 0.602, "steps_per_contact": 3.5, "steps_per_contact_needed": 20.0}
+        stability = {"maximum_step_ratio": 0.602, "steps_per_contact": 3.5, "steps_per_contact_needed": 20.0}
         words = [row["word"] for row in time_step_verdicts(stability)]
         self.assertEqual(words, ["too long for its contacts", "fewer than 20: results may be wrong"])
         self.assertEqual([row["word"] for row in time_step_verdicts({**stability, "steps_per_contact": 36.2})], ["stable", "enough"])

@@ -68,15 +68,15 @@ HandOver transformed(HandOver state, Vector vector, AxialVector axial_vector) {
 }
 
 template <class Case>
-double greatest_distance(const Spheres& a, const Spheres& b) {
-  double greatest = 0;
+double maximum_distance(const Spheres& a, const Spheres& b) {
+  double maximum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double between[3] = {a[i].position[0] - b[i].position[0], a[i].position[1] - b[i].position[1],
                                axial_difference<Case>(a[i].position[2], b[i].position[2])};
     if (!std::isfinite(length(between))) return length(between);
-    greatest = std::max(greatest, length(between) / Case::diameter);
+    maximum = std::max(maximum, length(between) / Case::diameter);
   }
-  return greatest;
+  return maximum;
 }
 
 bool same(const Spheres& a, const Spheres& b) {
@@ -104,7 +104,7 @@ void check_rotation() {
     const Spheres found = after_1000_steps<Case>(transformed(c.begin, turn, turn));
     Spheres expected = c.end;
     transform(expected, turn, turn);
-    CHECK(greatest_distance<Case>(found, expected) < 1e-11);
+    CHECK(maximum_distance<Case>(found, expected) < 1e-11);
   }
 }
 
@@ -142,7 +142,7 @@ void check_shift(double shift) {
   };
   HandOver begin = c.begin;
   begin.spheres = moved(begin.spheres);
-  CHECK(greatest_distance<Case>(after_1000_steps<Case>(begin), moved(c.end)) < 1e-11);
+  CHECK(maximum_distance<Case>(after_1000_steps<Case>(begin), moved(c.end)) < 1e-11);
 }
 
 TEST_CASE("symmetry: shift along a periodic pipe") {

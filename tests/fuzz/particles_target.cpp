@@ -110,17 +110,17 @@ bool same(const Status& a, const Status& b) {
          same(a.limit, b.limit);
 }
 
-/// Greatest difference of two places, in diameters, and never less than one that is no number.
+/// Maximum difference of two places, in diameters, and never less than one that is no number.
 template <class A, class B>
 double difference(const A& a, const B& b) {
-  double greatest = 0;
+  double maximum = 0;
   for (int id = 0; id < crowd::particle_count; ++id)
     for (int c = 0; c < 3; ++c) {
       double dx = a.particle(id).position[c] - b.particle(id).position[c];
       if (c == 2) dx -= crowd::pipe_length * std::round(dx / crowd::pipe_length);
-      if (!(std::abs(dx) <= greatest)) greatest = std::abs(dx);
+      if (!(std::abs(dx) <= maximum)) maximum = std::abs(dx);
     }
-  return greatest / crowd::diameter;
+  return maximum / crowd::diameter;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@ import re
 
 from beside import ROUNDING, STEPS, distances, read_header, rms, scene_files
 
-GAS_BOUND = 1e-12  # of the greatest value
+GAS_BOUND = 1e-12  # of the maximum value
 
 
 def with_stored_forces(name, text):
@@ -41,13 +41,13 @@ def check_gas(bench, checks):
         checks.note(f"gas, {ranks} ranks: number of slices", len(found) == len(slices), f"{len(found)}")
         checks.at_most(f"gas, {ranks} ranks: numbers, velocities, heights, areas, voids, gradients, flows", worst, GAS_BOUND)
         theirs = gas_forces(folder / "final.lammpstrj")
-        greatest = max(abs(f) for force in forces.values() for f in force)
+        maximum = max(abs(f) for force in forces.values() for f in force)
         worst = max(abs(a - b) for number, force in forces.items() for a, b in zip(force, theirs[number]))
-        checks.at_most(f"gas, {ranks} ranks: force on each of {len(forces)} particles", worst / greatest, GAS_BOUND)
+        checks.at_most(f"gas, {ranks} ranks: force on each of {len(forces)} particles", worst / maximum, GAS_BOUND)
     check_falling(bench, checks)
     case = read_header(bench.header(name))
     one, two = (bench.lammps_state(name, bench.state(name), STEPS, ranks) for ranks in (1, 2))
-    checks.at_most(f"gas: {STEPS} steps on 1 and 2 ranks, greatest, in d", max(distances(case, one, two)), ROUNDING)
+    checks.at_most(f"gas: {STEPS} steps on 1 and 2 ranks, maximum, in d", max(distances(case, one, two)), ROUNDING)
 
 
 def check_falling(bench, checks):

@@ -29,7 +29,7 @@ def after_impact(state, impact, radius):
     )
 
 
-def greatest_difference(ours, theirs, found, radius):
+def maximum_difference(ours, theirs, found, radius):
     """Of all speeds after these impacts, in impact speeds."""
     return max(
         abs(p - q) / impact.speed for impact in found for p, q in zip(*(after_impact(s, impact, radius) for s in (ours, theirs)))
@@ -51,7 +51,7 @@ def check_impacts(bench, checks):
         theirs = bench.lammps_state(name, start, steps)
         found, _ = impacts(case["diameter"], case["pipe_diameter"], case["pipe_length"])
         head_on = [impact for impact in found if impact.angle == 0]
-        straight, oblique = (greatest_difference(ours, theirs, some, case["diameter"] / 2) for some in (head_on, found))
+        straight, oblique = (maximum_difference(ours, theirs, some, case["diameter"] / 2) for some in (head_on, found))
         checks.at_most(f"{name}: {len(head_on)} head-on impacts, of the impact speed", straight, HEAD_ON_BOUND)
         bound = STRONGLY_DAMPED_BOUND if name in STRONGLY_DAMPED else OBLIQUE_BOUND
         checks.at_most(f"{name}: all {len(found)} impacts, speeds and spin", oblique, bound)
@@ -64,6 +64,6 @@ def check_impacts(bench, checks):
         if name == "impacts":
             for share in (0.5, 0.0):
                 less = bench.lammps_state(name, start, steps, change=lambda file, text: less_damped(text, share))
-                apart = greatest_difference(ours, less, found, case["diameter"] / 2)
+                apart = maximum_difference(ours, less, found, case["diameter"] / 2)
                 checks.note(f"{name}: {share:g} of the tangential damping would be further off", apart > oblique, f"{apart:.2g}")
     return ["| impacts | e | head-on | all |", "|---|---|---|---|", *rows]

@@ -19,7 +19,7 @@ def check_trajectories(bench, checks):
         path = rms(distances(case, one, read_final(state)))
         checks.at_most(f"{name}: {STEPS} steps, from leapfrog, rms in d; euler is as far from it", from_leapfrog, integrators)
         checks.at_most(f"{name}: {STEPS} steps, from euler, rms in d", from_euler, 2 * integrators)
-        checks.at_most(f"{name}: {STEPS} steps on 2 ranks, greatest, in d", max(distances(case, one, two)), ROUNDING)
+        checks.at_most(f"{name}: {STEPS} steps on 2 ranks, maximum, in d", max(distances(case, one, two)), ROUNDING)
         checks.note(f"{name}: the scene moves", path > 100 * integrators, f"{path:.3g} d in that time")
         rows.append(f"| `{name}` | {path:.2g} | {integrators:.2g} | {from_leapfrog:.2g} | {from_euler:.2g} |")
     return ["| scene | way | euler - leapfrog | LAMMPS - leapfrog | LAMMPS - euler |", "|---|---|---|---|---|", *rows]

@@ -14,7 +14,7 @@ def seeds_of(name):
 
 
 def widened(values):
-    """From the least to the greatest, and as much again on either side: three seeds do not show all the scatter."""
+    """From minimum to maximum, and as much again on either side: three seeds do not show all the scatter."""
     low, high = min(values), max(values)
     return low - (high - low), high + (high - low)
 
@@ -42,10 +42,10 @@ def check_size(bench, checks):
         states.append(read_dump(folder / "final.lammpstrj"))
         checks.say(run_lammps.describe(outcome))
     checks.note("size: particles", len(states[0].positions) == BIG * case["particle_count"], f"{len(states[0].positions)}")
-    checks.at_most("size: 1 and 2 ranks, greatest, in d", max(distances(case, *states, BIG)), ROUNDING)
+    checks.at_most("size: 1 and 2 ranks, maximum, in d", max(distances(case, *states, BIG)), ROUNDING)
     small = bench.lammps_state(name, bench.state(name), 200)
     count = case["particle_count"]
     for copy in (0, BIG - 1):
         part = states[1]
         part = type(part)(part.positions[copy * count : (copy + 1) * count], [], [])
-        checks.at_most(f"size: copy {copy + 1} moves as the plug alone, greatest, in d", max(distances(case, part, small)), 1e-6)
+        checks.at_most(f"size: copy {copy + 1} moves as the plug alone, maximum, in d", max(distances(case, part, small)), 1e-6)

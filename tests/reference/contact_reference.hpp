@@ -105,7 +105,7 @@ struct Memory {
   Vector<Scalar> history = Vector<Scalar>::Zero();
   Scalar stiffness = 0;      ///< zero: none yet
   Scalar spring_energy = 0;  ///< held by the tangential spring after the step before, J
-  Scalar limit = 0;          ///< `exact`: greatest length of the history in the step before, if it slid
+  Scalar limit = 0;          ///< `exact`: maximum length of the history in the step before, if it slid
   // `impulse`: overlap^(5/4) (linear law: overlap) at the end of the step before, and the surface velocity in it. Below
   // zero: not looked at yet; zero: begins now.
   Scalar state = 0;

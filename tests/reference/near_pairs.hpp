@@ -2,8 +2,8 @@
 // every step, without changing a bit.
 //
 // A list of all pairs nearer than diameter + margin is complete, for contacts, until two spheres can have closed the
-// margin: as long as twice the greatest way of any sphere since is less than it. The list keeps the order of pairs, so
-// forces are summed as they would be without it. Used where the reference has many small steps to make.
+// margin: as long as twice the maximum travel of any sphere since is less than it. The list keeps the order of pairs,
+// so forces are summed as they would be without it. Used where the reference has many small steps to make.
 #pragma once
 
 #include <utility>
@@ -42,7 +42,7 @@ class NearPairs {
   const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
 
   /// All spheres have moved, none further than this.
-  void move(Scalar greatest_way) { left_ -= 2 * greatest_way; }
+  void move(Scalar maximum_way) { left_ -= 2 * maximum_way; }
 
  private:
   std::vector<std::pair<int, int>> pairs_;

@@ -251,7 +251,7 @@ class Reference {
 
   void move() {
     const Vector3 g = from_array(Case::gravity);
-    Scalar greatest_way = 0;
+    Scalar maximum_way = 0;
     for (Sphere& s : spheres_) {
       s.acceleration = (s.force + s.gas_force) / sphere.mass + g;  // eq. (1)
       const Vector3 old_v = s.v;
@@ -259,12 +259,12 @@ class Reference {
       s.omega += s.torque / sphere.moment_of_inertia * dt;  // eqs. (2), (5)
       const Vector3 path = s.v * dt;
       s.x += path;  // eq. (4)
-      greatest_way = std::max(greatest_way, path.norm());
+      maximum_way = std::max(maximum_way, path.norm());
       wrap(s);
       energy_.gravity_work += static_cast<double>(sphere.mass * g.dot(path));
       energy_.gas_work += static_cast<double>(s.gas_force.dot((old_v + s.v) / 2) * dt);
     }
-    near_.move(greatest_way);
+    near_.move(maximum_way);
   }
 
   void step_once() {

@@ -1,7 +1,7 @@
 // Defaults that follow from other keys.
 //
 // slice_count is the nearest whole number of pipe length / slice length, at least 1 (without gas the slices only
-// measure solids fractions and are one diameter long). The reference speed is the greatest of the start velocities,
+// measure solids fractions and are one diameter long). The reference speed is the largest of the start velocities,
 // the gas velocity and the speed of a fall through the pipe's diameter, sqrt(2 g D).
 #include <algorithm>
 #include <cmath>

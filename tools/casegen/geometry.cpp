@@ -95,13 +95,13 @@ void check_tiles(const Reading& reading, Report& report) {
   if (v.diameter >= v.pipe_diameter) return;  // reported already
   const auto count = static_cast<int>(v.count);
   const int size = particles_per_chunk(count, v.pipe_diameter, v.diameter), chunks = (count + size - 1) / size;
-  auto greatest = v.tile_steps;
-  while (chunks < chunks_for_tile(static_cast<int>(greatest))) --greatest;
-  if (greatest < v.tile_steps)
+  auto maximum = v.tile_steps;
+  while (chunks < chunks_for_tile(static_cast<int>(maximum))) --maximum;
+  if (maximum < v.tile_steps)
     report.error(reading.place("capacity.tile_steps"),
                  fmt::format("{} needs {} chunks of {} particles, and {} particles fill {}; allowed: {}",
                              reading.quote("capacity.tile_steps"), chunks_for_tile(static_cast<int>(v.tile_steps)),
-                             size, v.count, chunks, greatest == 1 ? "1" : fmt::format("1 to {}", greatest)),
+                             size, v.count, chunks, maximum == 1 ? "1" : fmt::format("1 to {}", maximum)),
                  "leave tile_steps out, and the kernel chooses: tiles are for pipes that the cache does not hold");
 }
 

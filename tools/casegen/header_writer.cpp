@@ -132,7 +132,7 @@ void write_program(Members& members, const CaseValues& v) {
   members.real("stability_limit", v.stability_limit, "stable steps");
   members.choice("StartKind", "start", !v.start_from.empty() ? "from" : v.placed.empty() ? "random" : "placed");
   members.add("unsigned long long", "seed", fmt::format("{}ULL", v.seed), "");
-  members.real("start_velocity", v.start_velocity, "m/s, greatest component");
+  members.real("start_velocity", v.start_velocity, "m/s, largest component");
   members.flag("start_keeps_motion", v.start_motion == "keep");
   members.text("start_from", predecessor_name(v.start_from));
   members.whole("placed_count", static_cast<std::int64_t>(v.placed.size()));

@@ -163,7 +163,7 @@ std::string assign(const Vector<Record>& vector, const toml::node& node, Record&
 
 template <class Record>
 std::string assign(const Memory<Record>& memory, const toml::node& node, Record& record) {
-  constexpr std::int64_t greatest = std::int64_t{1} << 40;
+  constexpr std::int64_t maximum = std::int64_t{1} << 40;
   std::int64_t count = 0, unit = 1;
   if (const auto* whole = node.as_integer()) {
     count = whole->get();
@@ -181,7 +181,7 @@ std::string assign(const Memory<Record>& memory, const toml::node& node, Record&
   } else {
     return fmt::format("is {}, but must be a text or a whole number", written_type(node));
   }
-  if (count < 1 || count > greatest / unit) return "is out of range";
+  if (count < 1 || count > maximum / unit) return "is out of range";
   record.*memory.member = count * unit;
   return "";
 }

@@ -46,7 +46,7 @@ def fig_3(impacts, paths, out):
     without_damping = impacts[0][2]
     return (
         "Velocity against displacement during an impact on a wall, for several alpha",
-        f"Eq. (30) in its scaled form, by the kernel at a tenth of the usual time step. Without damping the greatest displacement is {deepest:.4f}, "
+        f"Eq. (30) in its scaled form, by the kernel at a tenth of the usual time step. Without damping the maximum displacement is {deepest:.4f}, "
         f"where it must be 1, and the particle leaves at {without_damping:.4f} of its velocity. Damping makes the way in shallower and takes "
         "velocity off the way back; the curves end at x = 0, with the small attraction at the end of a contact not cut off, as eq. (30) has it.",
     )

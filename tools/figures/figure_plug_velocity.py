@@ -1,6 +1,6 @@
 """Fig. 13, plug velocity against gas velocity with and without the 3 mm modification, and Fig. 15, the stationary layer.
 
-Each point is the mean over the seeds of the fill, each bar reaches from the least to the greatest of them. Fig. 15 has every run of a
+Each point is the mean over the seeds of the fill, each bar reaches from minimum to maximum of them. Fig. 15 has every run of a
 plug that moves by itself, beside eq. (41), A_d/A = 1/(1 + 1.84 V_p/sqrt(g D)), V_p the velocity of the particles in the plug.
 """
 
@@ -27,7 +27,7 @@ def mean(values):
 
 
 def means_picture(series, path, x_label, y_label, ranges="", apart=None):
-    """series: name -> {x: values there}. A point for the mean, a bar from the least to the greatest; series stand `apart` so that bars
+    """series: name -> {x: values there}. A point for the mean, a bar from minimum to maximum; series stand `apart` so that bars
     do not hide one another. `ranges`: commands of gnuplot."""
     every = [x for at in series.values() for x in at]
     apart = 0.01 * (max(every) - min(every)) if apart is None else apart
@@ -66,7 +66,7 @@ def fig_13(summaries, out):
     died = all(verdict(s["plug"]) == "dies" for (name, _), s in summaries.items() if name == "plug_u17")
     return (
         "Plug velocity against gas velocity, with and without the 3 mm modification",
-        f"Means over {len(seeds)} seeds of the fill; bars from the least to the greatest. "
+        f"Means over {len(seeds)} seeds of the fill; bars from minimum to maximum. "
         + ("At 1.7 m/s and 10 mm the plug dies with every seed, as in the paper (its point is what its front did meanwhile); " if died else "At 1.7 m/s and 10 mm the paper's plug dies, here not with every seed; ")
         + f"with 3 mm it moves at {modified:.2f} m/s. At 2.4 m/s and 10 mm it moves at {plain:.2f} m/s, with 3 mm at {mean(found['3 mm'][2.4]):.2f}: faster, as in the paper. "
         + ("What differs: the paper has the plugs at 1.7 m/s with 3 mm and at 2.4 m/s with 10 mm both as fast as measured, so the second the faster one; here it is the first." if modified > plain else "As in the paper, that at 2.4 m/s with 10 mm is faster than that at 1.7 m/s with 3 mm."),

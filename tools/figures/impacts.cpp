@@ -1,7 +1,7 @@
 // Single impacts on a flat wall by the kernel, for Figs. 3 and 4: the scene of collide_wall with other restitutions.
 //
 // Prints comma-separated lines: `impact,alpha,restitution asked for,restitution found` for each, and for each of its
-// moments `path,alpha,overlap,velocity`, both scaled as in eq. (30): overlap by (5 m v0^2 / 4 K)^(2/5), the greatest
+// moments `path,alpha,overlap,velocity`, both scaled as in eq. (30): overlap by (5 m v0^2 / 4 K)^(2/5), the maximum
 // one without damping, and velocity by that before the impact, positive into the wall. The time step is a tenth of the
 // case's, so that the lines are smooth. alpha is eq. (26)'s: damping over sqrt(m K).
 #include <fmt/format.h>

@@ -3,10 +3,10 @@
 // Usage; all output is lines of comma-separated values, factor and gas factor in thousandths of the case's step and
 // interval:
 //
-// - `bodies errors STATE TRUTH`: `error,factor,gas,moment,rms,greatest,path`, difference of positions to the truth
+// - `bodies errors STATE TRUTH`: `error,factor,gas,moment,rms,maximum,path`, difference of positions to the truth
 //   (truth.cpp) and root mean square way since the start, m
 // - `bodies time STATE`: `time,factor,gas,seconds,steps`, processor time of `steps` steps from the perturbed state
-// - `bodies still STATE`: `still,factor,gas,speed`, greatest speed when the state is carried on unperturbed for 20 ms
+// - `bodies still STATE`: `still,factor,gas,speed`, maximum speed when the state is carried on unperturbed for 20 ms
 // - `bodies chaos STATE`: `chaos,factor,gas,time,rms`, separation of two runs, one moved by 1e-12 m at random
 // - `bodies long SEED SECONDS [STATE]`:
 //   `long,factor,gas,seed,height,coordination,decay_time,front_velocity,layer_ratio`
@@ -64,7 +64,7 @@ std::vector<Moment> read_truth(const char* path) {
 }
 
 struct Difference {
-  double rms = 0, greatest = 0;
+  double rms = 0, maximum = 0;
 };
 /// Of places; along a periodic pipe to the nearest image.
 Difference difference(const std::vector<Place>& a, const std::vector<Place>& b) {
@@ -77,9 +77,9 @@ Difference difference(const std::vector<Place>& a, const std::vector<Place>& b) 
         x -= Original::pipe_length * std::round(x / Original::pipe_length);
       square += x * x;
     }
-    found.rms += square, found.greatest = std::max(found.greatest, square);
+    found.rms += square, found.maximum = std::max(found.maximum, square);
   }
-  return {std::sqrt(found.rms / static_cast<double>(a.size())), std::sqrt(found.greatest)};
+  return {std::sqrt(found.rms / static_cast<double>(a.size())), std::sqrt(found.maximum)};
 }
 
 template <class Simulation>
@@ -107,7 +107,7 @@ class Bodies {
       if (!good(simulation_->run(steps - simulation_->step()))) return;
       const Difference d = difference(places(*simulation_), truth[k].places);
       const double path = difference(truth[k].places, truth[0].places).rms;
-      fmt::print("error,{},{},{},{:.6g},{:.6g},{:.6g}\n", factor, gas, k, d.rms, d.greatest, path);
+      fmt::print("error,{},{},{},{:.6g},{:.6g},{:.6g}\n", factor, gas, k, d.rms, d.maximum, path);
     }
   }
 

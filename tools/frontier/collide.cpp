@@ -1,9 +1,9 @@
 // All impacts of impacts.hpp by the kernel, at every time step the program was compiled for (setting.hpp).
 //
 // One simulation holds all of them, far apart from each other. Output, a line for each time step and impact:
-//   collide,factor,number,normal,tangential,surface_spin,contact_time,greatest_overlap,axial_phase
+//   collide,factor,number,normal,tangential,surface_spin,contact_time,maximum_overlap,axial_phase
 // in m/s, s and m, as exact.cpp prints them. Before and after a contact the motion is uniform, so the moments of first
-// and last touch follow from the first and the last state. Greatest overlap: top of the parabola through the deepest
+// and last touch follow from the first and the last state. Maximum overlap: top of the parabola through the deepest
 // step and its neighbours. A run that the kernel stops gives `stopped,factor,fault` and no more of this time step.
 #include <fmt/format.h>
 
@@ -34,17 +34,17 @@ struct Box : Setting {
 
 int first_particle(int number) { return number < frontier::repeats ? 2 * number : number + frontier::repeats; }
 
-/// Overlap at each of the last three steps, and the greatest found.
+/// Overlap at each of the last three steps, and the maximum found.
 struct Peak {
   std::array<double, 3> last{};
-  double greatest = 0;
+  double maximum = 0;
   void add(double overlap) {
     last = {last[1], last[2], overlap};
     const auto& [a, b, c] = last;
     if (b <= 0 || b < a || b < c) return;
     const double bend = a - 2 * b + c;
     const double top = bend < 0 && a > 0 && c > 0 ? b - (c - a) * (c - a) / (8 * bend) : b;
-    if (top > greatest) greatest = top;
+    if (top > maximum) maximum = top;
   }
 };
 
@@ -77,7 +77,7 @@ class Collisions {
       const double begin = gap_at_start(n) / impact.normal;
       const double end = simulation_.time() - separation(n) / parting_speed(n);
       fmt::print("collide,{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", Case::factor, n, parting_speed(n),
-                 p.velocity[0], -r * p.angular_velocity[1], end - begin, peaks_[static_cast<std::size_t>(n)].greatest);
+                 p.velocity[0], -r * p.angular_velocity[1], end - begin, peaks_[static_cast<std::size_t>(n)].maximum);
     }
   }
 

@@ -1,7 +1,7 @@
 // Exact outcomes of all impacts (impacts.hpp) for each tangential law, and how sure they are.
 //
-// Output: one line per law and impact, `exact,law,number,normal,tangential,surface_spin,contact_time,greatest_overlap`;
-// then `doubt,law,x`: the greatest change of any velocity, relative to the impact speed, when the tolerance of the
+// Output: one line per law and impact, `exact,law,number,normal,tangential,surface_spin,contact_time,maximum_overlap`;
+// then `doubt,law,x`: the maximum change of any velocity, relative to the impact speed, when the tolerance of the
 // solver is tightened from 1e-13 to 1e-15.
 #include FIXDEM_CASE_HEADER
 
@@ -45,7 +45,7 @@ int main() {
       fmt::print("exact,{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", name, number,
                  static_cast<double>(found.normal), static_cast<double>(found.tangential),
                  static_cast<double>(found.surface_spin), static_cast<double>(found.contact_time),
-                 static_cast<double>(found.greatest_overlap));
+                 static_cast<double>(found.maximum_overlap));
     }
     fmt::print("doubt,{},{:.3g}\n", name, static_cast<double>(doubt));
   }

@@ -10,7 +10,7 @@
 //
 // This is the limit for vanishing steps of eqs. (6)-(12) with slider "clip". Runge-Kutta-Fehlberg 7(8) of Boost.Odeint
 // in long double with step-size control; a step in which any regime changes (end of contact, stick and slip, cap of the
-// total force, sign of R) is cut there by bisection, so no step straddles a kink. Scaled to the greatest overlap of an
+// total force, sign of R) is cut there by bisection, so no step straddles a kink. Scaled to the maximum overlap of an
 // undamped impact and to the impact speed, so the tolerance is relative to those. Coefficients are those of the
 // tests' reference, not of the kernel.
 #pragma once
@@ -30,7 +30,7 @@ namespace fixdem::frontier {
 struct Outcome {
   long double normal, tangential;  ///< velocities after the impact, m/s; the normal one away from the partner
   long double surface_spin;        ///< radius times angular velocity, m/s, positive where it adds to the slip
-  long double contact_time, greatest_overlap;
+  long double contact_time, maximum_overlap;
 };
 
 class ExactImpact {
@@ -65,7 +65,7 @@ class ExactImpact {
         step = std::min(step, x[0] / (2 * std::abs(x[1]) + x[0]));  // overlap^(1/4) is not smooth at its ends
       while (stepper.try_step(rhs, x, time, step) == boost::numeric::odeint::fail) {
       }
-      step = std::min(step, greatest_step);
+      step = std::min(step, maximum_step);
       if (!changes(before, x)) {
         settle(x);
         note_peak(before, x, time - begin);
@@ -90,12 +90,12 @@ class ExactImpact {
   }
 
  private:
-  static constexpr Scalar greatest_step = 0.02L;
-  static constexpr Scalar opened = 1e-15L;  ///< an overlap that counts as none, in greatest ones
+  static constexpr Scalar maximum_step = 0.02L;
+  static constexpr Scalar opened = 1e-15L;  ///< an overlap that counts as none, in largest ones
 
   using Fehlberg = boost::numeric::odeint::runge_kutta_fehlberg78<State, Scalar>;
 
-  /// Length: greatest overlap without damping; mass: the sphere's.
+  /// Length: maximum overlap without damping; mass: the sphere's.
   void scale(Scalar speed) {
     speed_ = speed;
     const Scalar K = unscaled_.normal_stiffness, energy = effective_ * speed * speed / 2;

@@ -2,7 +2,7 @@
 //
 // From the case's own start with the given seed (or from a stored state, when the case starts from another one),
 // sampled eighty times. Height of the centres above the pipe's bottom and coordination number: means over the last
-// fifth. Decay time: when the kinetic energy last falls below a tenth of the greatest one, interpolated in its
+// fifth. Decay time: when the kinetic energy last falls below a tenth of the largest one, interpolated in its
 // logarithm; not a number while it has not. Front velocity and layer area ratio of the plug over the second half, as in
 // summary.json (tools/run/plug_analysis.hpp). SI units.
 #pragma once
@@ -30,9 +30,9 @@ struct EnergySample {
 };
 
 inline double decay_time(const std::vector<EnergySample>& samples) {
-  double greatest = 0, found = std::numeric_limits<double>::quiet_NaN();
-  for (const EnergySample& s : samples) greatest = std::max(greatest, s.kinetic);
-  const double level = greatest / 10;
+  double maximum = 0, found = std::numeric_limits<double>::quiet_NaN();
+  for (const EnergySample& s : samples) maximum = std::max(maximum, s.kinetic);
+  const double level = maximum / 10;
   for (std::size_t k = 1; k < samples.size(); ++k) {
     const auto &a = samples[k - 1], &b = samples[k];
     if (a.kinetic >= level && b.kinetic < level)

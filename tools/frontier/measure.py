@@ -31,7 +31,7 @@ def speed_of(number):
 
 
 class Exact:
-    """Exact outcomes, by law: [normal, tangential, surface spin, contact time, greatest overlap] of each impact."""
+    """Exact outcomes, by law: [normal, tangential, surface spin, contact time, maximum overlap] of each impact."""
 
     def __init__(self, program):
         self.outcomes, self.doubt = defaultdict(dict), {}
@@ -70,7 +70,7 @@ def impact_errors(program, exact):
 
 
 def trajectory_errors(program, state, truth):
-    """{(factor, gas): {moment: (rms, greatest, path)}}, and reasons of runs that were stopped."""
+    """{(factor, gas): {moment: (rms, maximum, path)}}, and reasons of runs that were stopped."""
     errors, stopped = defaultdict(dict), {}
     for what, factor, gas, *rest in lines(program, "errors", state, truth):
         setting = int(factor), int(gas)

@@ -78,7 +78,7 @@ class Result:
         points = self.points()
         best = {"head on": pareto(points, lambda p: p.head_on), "oblique": pareto(points, lambda p: p.oblique), "positions": pareto(points, lambda p: p.error(1))}
         head = ["integrator, precision", "time step, s", *(["gas every, steps"] if self.facts.has_gas else []), "run time, s", "rebound, head on", "oblique",
-                *(f"positions, {m}, m" for m in MOMENTS.values()), "greatest, 1 ms, m", "Pareto"]
+                *(f"positions, {m}, m" for m in MOMENTS.values()), "maximum, 1 ms, m", "Pareto"]
         rows = []
         for p in points:
             marks = [name for name, of_name in best.items() if p in of_name]
@@ -117,7 +117,7 @@ class Result:
             rows.append(cells)
         step = self.facts.time_step
         steps = f"{number(0.1 * step)} to {number(5 * step)} s"
-        head = ["setting", "order: velocity, head on", "oblique", "spin", "contact time", "greatest overlap", *(f"errors at {number(k * step)} s" for k in (0.1, 1, 5)), "stopped"]
+        head = ["setting", "order: velocity, head on", "oblique", "spin", "contact time", "maximum overlap", *(f"errors at {number(k * step)} s" for k in (0.1, 1, 5)), "stopped"]
         return f"Orders are slopes fitted from {steps}; errors of the velocity, head on / oblique.\n\n" + table(head, rows)
 
     def impacts_by_kind(self):
@@ -198,7 +198,7 @@ class Result:
     def still_table(self):
         factors = sorted({f for speeds in self.still.values() for f in speeds})
         rows = [[label(c), *(f"{s[f]:.1e}" if f in s else "-" for f in factors)] for c, s in self.still.items()]
-        return table(["greatest speed, m/s, with steps of", *(f"{number(f / 1000 * self.facts.time_step)} s" for f in factors)], rows)
+        return table(["maximum speed, m/s, with steps of", *(f"{number(f / 1000 * self.facts.time_step)} s" for f in factors)], rows)
 
     # Files.
 
@@ -230,7 +230,7 @@ class Result:
 
     def csv(self, folder):
         head = ["integrator", "slider", "precision", "time_step_s", "gas_interval_steps", "run_time_per_simulated_second_s", "head_on_rebound_rms_error", "oblique_rebound_rms_error",
-                *(f"position_{kind}_error_{m.replace(' ', '')}_m" for m in MOMENTS.values() for kind in ("rms", "greatest"))]
+                *(f"position_{kind}_error_{m.replace(' ', '')}_m" for m in MOMENTS.values() for kind in ("rms", "maximum"))]
         rows = []
         for p in self.points():
             position = [v for m in MOMENTS for v in (p.position.get(m, (math.nan,) * 3)[:2])]

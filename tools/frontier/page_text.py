@@ -94,7 +94,7 @@ Error of positions after a step over that after a smaller one; halving the step,
 ## Many bodies, long observables
 
 {number(r.long_seconds)} s from the case's start, {len(r.seeds)} seeds; mean ± standard deviation over the seeds. Height of the centres above the pipe's bottom and coordination
-number over the last fifth; decay time: kinetic energy for good below a tenth of its greatest value{"; plug velocity and layer area ratio over the second half" if f.has_gas else ""}.
+number over the last fifth; decay time: kinetic energy for good below a tenth of its maximum value{"; plug velocity and layer area ratio over the second half" if f.has_gas else ""}.
 
 {r.long_table()}
 

@@ -103,10 +103,10 @@ class GasBeside {
     for (int i = 0; i < owned; ++i) slice_of_.push_back(slices_.add(x[i], v[i], (mask[i] & floating_) != 0));
     slices_.sum();
     const bool is_sampled = samples_.is_due(step);
-    if (const double residual = slices_.solve(is_sampled && rank_ == 0); !(residual < greatest_residual))
+    if (const double residual = slices_.solve(is_sampled && rank_ == 0); !(residual < maximum_residual))
       throw Failure(program::exit_unstable,
                     fmt::format("step {}: the gas flow in a slice is not solved: residual {:.3g}, allowed {:.3g}", step,
-                                residual, greatest_residual));
+                                residual, maximum_residual));
     for (int i = 0; i < owned; ++i)
       slices_.force_on(slice_of_[static_cast<std::size_t>(i)], v[i], (mask[i] & floating_) != 0, force[i]);
     if (is_sampled) sample(step, owned, x, v);

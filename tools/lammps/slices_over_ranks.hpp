@@ -42,17 +42,17 @@ class SlicesOverRanks {
     MPI_Allreduce(MPI_IN_PLACE, slices_.axial_velocity_sum, n, MPI_DOUBLE, MPI_SUM, ranks_);
     MPI_Allreduce(MPI_IN_PLACE, slices_.height, n, MPI_DOUBLE, MPI_MAX, ranks_);
   }
-  /// The flow in the slices of this rank's particles, or in all. Returns the greatest residual (greatest_residual is
+  /// The flow in the slices of this rank's particles, or in all. Returns the maximum residual (maximum_residual is
   /// what the kernel allows); not a number if any is none.
   double solve(bool all) {
-    double greatest = 0;
+    double maximum = 0;
     for (std::size_t group = 0; group < is_own_.size(); ++group) {
       if (!all && !is_own_[group]) continue;
       const double residual =
           detail::solve_slices<Case, W>(slices_, static_cast<int>(group) * W, static_cast<int>(group + 1) * W);
-      greatest = greatest >= residual || greatest != greatest ? greatest : residual;  // one that is no number stays
+      maximum = maximum >= residual || maximum != maximum ? maximum : residual;  // one that is no number stays
     }
-    return greatest;
+    return maximum;
   }
   /// Force of the gas on a particle of this rank in slice s, N.
   void force_on(int s, const double* v, bool floats, double* force) const {

@@ -23,7 +23,7 @@ class Check:
     what: str
     ours: float
     theirs: float
-    bound: float  # greatest difference allowed
+    bound: float  # maximum difference allowed
     unit: str
     next_to_nothing: bool = False  # both must be within the bound of zero
 

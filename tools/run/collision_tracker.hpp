@@ -8,7 +8,7 @@
 //   angular_velocity        of the lower-numbered particle after, along n x t: friction against t makes it negative,
 //                           -(5/2) mu (1 + e) v_n / R when a sphere without spin slides throughout on a wall
 //   contact_time            between the zero crossings of the overlap, each interpolated linearly between two steps
-//   max_overlap, max_normal_force   of the parabola through the greatest value and its neighbours
+//   max_overlap, max_normal_force   of the parabola through the maximum value and its neighbours
 // Particles that overlap from the start are not a collision until they have parted. SI units.
 #pragma once
 
@@ -29,7 +29,7 @@ struct Collision {
   }
 };
 
-/// Greatest value of a curve known at equal intervals.
+/// Maximum value of a curve known at equal intervals.
 class ParabolicMaximum {
  public:
   void add(double value);

@@ -16,7 +16,7 @@ ExitCode fault_exit_code(Fault);
 /// "particle 318 has an overlap of 0.61 radii (limit 0.5)"
 std::string fault_sentence(const CaseFacts&, const Status&);
 
-/// What to change. For an unstable run the time step is compared with the duration of a contact at `speed` (greatest
+/// What to change. For an unstable run the time step is compared with the duration of a contact at `speed` (maximum
 /// speed seen before the fault; the case's reference speed if that is 0): 20 steps per contact are asked for.
 std::string fault_advice(const CaseFacts&, const Status&, double speed);
 

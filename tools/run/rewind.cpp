@@ -7,13 +7,13 @@ namespace fixdem::program {
 namespace {
 constexpr double least_interval = 0.02;  // s
 constexpr double intervals_per_copy = 200;
-constexpr std::size_t greatest_copy = std::size_t{1} << 30;  // bytes
+constexpr std::size_t maximum_copy = std::size_t{1} << 30;  // bytes
 }  // namespace
 
 void Rewind::keep(double seconds) {
   if (seconds < next_) return;
   const std::span<char> memory = view_.memory();
-  if (memory.size() > greatest_copy) return;
+  if (memory.size() > maximum_copy) return;
   const auto begin = std::chrono::steady_clock::now();
   copy_.assign(memory.begin(), memory.end());
   step_ = view_.step();

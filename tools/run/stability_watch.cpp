@@ -45,15 +45,15 @@ Block squared(const Block& a) {
   return product;
 }
 
-/// Bound on the greatest eigenvalue of h^2 stiffness + h damping.
+/// Bound on the maximum eigenvalue of h^2 stiffness + h damping.
 double eigenvalue_bound(const Block& stiffness, const Block& damping, double h) {
   Block a{};
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j) a[i][j] = h * h * stiffness[i][j] + h * damping[i][j];
   const Block power = squared(squared(squared(squared(a))));
-  double greatest = 0;
-  for (std::size_t row = 0; row < 6; ++row) greatest = std::fmax(greatest, row_sum(power, row));
-  return std::sqrt(std::sqrt(std::sqrt(std::sqrt(greatest))));
+  double maximum = 0;
+  for (std::size_t row = 0; row < 6; ++row) maximum = std::fmax(maximum, row_sum(power, row));
+  return std::sqrt(std::sqrt(std::sqrt(std::sqrt(maximum))));
 }
 
 /// Positive weights of particles, greater the stiffer they and their neighbours are held: a few products with the graph
@@ -64,7 +64,7 @@ std::vector<double> weights_of(int particle_count, const std::vector<Contact>& c
   std::vector<double> weight(static_cast<std::size_t>(particle_count), 1.0);
   for (int k = 0; k < products; ++k) {
     std::vector<double> next(weight.size(), 0.0);
-    double greatest = 0;
+    double maximum = 0;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const auto i = static_cast<std::size_t>(contacts[c].owner);
       if (contacts[c].partner < 0) {
@@ -75,9 +75,9 @@ std::vector<double> weights_of(int particle_count, const std::vector<Contact>& c
         next[j] += held[c] * (weight[i] + weight[j]);
       }
     }
-    for (const double w : next) greatest = std::fmax(greatest, w);
+    for (const double w : next) maximum = std::fmax(maximum, w);
     // A little of everything is kept, so that no quotient of weights overflows.
-    for (std::size_t i = 0; i < weight.size(); ++i) weight[i] = greatest > 0 ? next[i] / greatest + 1e-3 : 1;
+    for (std::size_t i = 0; i < weight.size(); ++i) weight[i] = maximum > 0 ? next[i] / maximum + 1e-3 : 1;
   }
   return weight;
 }
@@ -157,7 +157,7 @@ bool StabilityWatch::look(double time, const std::vector<Contact>& contacts, dou
   const StableStep stable = stable_step(facts_, criterion_of(facts_.integrator), contacts);
   time_ = time, stable_ = stable.seconds, particle_ = stable.particle;
   ratio_ = facts_.time_step / stable.seconds;  // 0 without contacts
-  if (!(ratio_ <= greatest_ratio_)) greatest_ratio_ = ratio_;
+  if (!(ratio_ <= maximum_ratio_)) maximum_ratio_ = ratio_;
   if (!(max_overlap <= facts_.overlap_warning * facts_.radius()) && !has_warned_of_overlap_) {
     has_warned_of_overlap_ = true;
     warning_ += fmt::format(

@@ -1,11 +1,11 @@
 // How near a run is to instability: a cheap bound on the time step from the contacts of the moment, never above the
-// true limit, and the greatest overlap. Looked at for every row of the log.
+// true limit, and the maximum overlap. Looked at for every row of the log.
 //
 // Each contact is a normal and a tangential spring with a damper each, taken at its present overlap (d force / d
 // overlap; sliding contacts count as sticking, which is stiffer). For vectors a, b and any q > 0, |a + b|^2 is at most
 // (1 + q) |a|^2 + (1 + 1/q) |b|^2, so a pair is at most as stiff as its two particles each held by a wall in its place,
 // 1 + q and 1 + 1/q times as stiff: 6 x 6 blocks of single particles bound the whole matrix. With A(h) = h^2 K + h C of
-// a block (C with the integrator's factors, step_criteria.hpp), row sums of absolute values bound its greatest
+// a block (C with the integrator's factors, step_criteria.hpp), row sums of absolute values bound its maximum
 // eigenvalue, and so does the sixteenth root of those of A^16, much more tightly. The step starts where row sums a of K
 // and b of C give a h^2 + b h = 4; since A(t h) is at most t^2 A(h) for t > 1, it may then be raised to h sqrt(4 /
 // bound(h)), again and again. The smallest step of all particles is the stable step: never above the true limit, and
@@ -43,8 +43,8 @@ class StabilityWatch {
   /// Looks at the contacts of one moment. True: the time step is beyond the limit, the run must not go on.
   bool look(double time, const std::vector<Contact>&, double max_overlap);
 
-  double ratio() const { return ratio_; }                    ///< time step / stable step at the last look
-  double greatest_ratio() const { return greatest_ratio_; }  ///< of all looks
+  double ratio() const { return ratio_; }                  ///< time step / stable step at the last look
+  double maximum_ratio() const { return maximum_ratio_; }  ///< of all looks
   /// A warning that has just become due, or empty; each kind comes once.
   std::string take_warning();
   /// What is wrong and what to change, after look() has returned true.
@@ -53,14 +53,14 @@ class StabilityWatch {
   /// For checkpoints.
   template <class Archive>
   void transfer(Archive& archive) {
-    archive(ratio_, greatest_ratio_, stable_, time_, particle_, has_warned_of_step_, has_warned_of_overlap_);
+    archive(ratio_, maximum_ratio_, stable_, time_, particle_, has_warned_of_step_, has_warned_of_overlap_);
   }
 
  private:
   std::string excess(double time) const;
 
   const CaseFacts& facts_;
-  double ratio_ = 0, greatest_ratio_ = 0, stable_ = 0, time_ = 0;
+  double ratio_ = 0, maximum_ratio_ = 0, stable_ = 0, time_ = 0;
   int particle_ = -1;
   bool has_warned_of_step_ = false, has_warned_of_overlap_ = false;
   std::string warning_;

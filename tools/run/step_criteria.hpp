@@ -9,8 +9,8 @@
 //   impulse    4 u = (h^2 K + 4 h C_n + 4 h C_t) u       G taken half a step on, slip extrapolated; on the safe side:
 //                                                        the means along the half steps soften K, and `after` C_n
 //
-// so that h is stable while the greatest eigenvalue of the matrix on the right is below 4. Without damping all are
-// 2 / (greatest angular frequency). A new integrator is one more row.
+// so that h is stable while the maximum eigenvalue of the matrix on the right is below 4. Without damping all are
+// 2 / (maximum angular frequency). A new integrator is one more row.
 #pragma once
 
 #include "kernel/case.hpp"

@@ -103,7 +103,7 @@ std::string encode_summary(const CaseFacts& facts, const Options& options, const
         {"state_hash", state_hash(outcome.snapshot)}}},
       {"frames", outcome.frames >= 0 ? Json(outcome.frames) : Json(nullptr)},
       {"stability",
-       {{"greatest_step_ratio", number(outcome.greatest_step_ratio)},
+       {{"maximum_step_ratio", number(outcome.maximum_step_ratio)},
         {"steps_per_contact", number(outcome.steps_per_contact)},
         {"steps_per_contact_needed", fewest_steps_per_contact}}},
       {"energy", energy(facts, outcome)},
@@ -143,7 +143,7 @@ std::string describe_outcome(const CaseFacts& facts, const Outcome& outcome) {
   if (outcome.collision) {
     const Collision& c = *outcome.collision;
     text +=
-        fmt::format("collision: restitution {:.5f}, contact time {:.4e} s, greatest overlap {:.4e} m, force {:.4e} N\n",
+        fmt::format("collision: restitution {:.5f}, contact time {:.4e} s, maximum overlap {:.4e} m, force {:.4e} N\n",
                     c.restitution, c.contact_time, c.max_overlap, c.max_normal_force);
     if (std::isfinite(c.tangential_restitution))
       text += fmt::format("           tangential restitution {:.5f}, angular velocity {:.5g} rad/s\n",

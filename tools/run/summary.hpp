@@ -18,9 +18,9 @@ struct Outcome {
   Snapshot snapshot;
   Observation observation{};
   Energy start_energy{}, energy{};
-  double greatest_step_ratio = 0;  ///< time step / stable step, of all rows of the log
-  double steps_per_contact = 0;    ///< of the impact with the deepest overlap of the run; infinite without contacts
-  int frames = -1;                 ///< written; -1 with --no-frames
+  double maximum_step_ratio = 0;  ///< time step / stable step, of all rows of the log
+  double steps_per_contact = 0;   ///< of the impact with the deepest overlap of the run; infinite without contacts
+  int frames = -1;                ///< written; -1 with --no-frames
   std::vector<CapacityUse> capacities;
   double wall_time = 0;    ///< of the time loop with its outputs, s
   double kernel_time = 0;  ///< inside the kernel, s

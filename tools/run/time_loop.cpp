@@ -146,7 +146,7 @@ void TimeLoop::log(const Snapshot& snapshot) {
   row.energy = view_.energy();
   row.balance_error = balance_error(start_energy_, row.energy);
   if (facts_.has_gas) row.plug = plug_sample(snapshot);
-  if (std::isfinite(row.observation.max_speed)) greatest_speed_ = std::max(greatest_speed_, row.observation.max_speed);
+  if (std::isfinite(row.observation.max_speed)) maximum_speed_ = std::max(maximum_speed_, row.observation.max_speed);
   step_is_too_large_ = watch_.look(row.time, snapshot.contacts, row.observation.max_overlap);
   row.step_ratio = watch_.ratio();
   outputs_.log(row);
@@ -219,7 +219,7 @@ void TimeLoop::write_checkpoint() {
 
 template <class Archive>
 void TimeLoop::transfer(Archive& archive) {
-  archive(start_energy_, greatest_speed_, watch_, step_is_too_large_, plugs_);
+  archive(start_energy_, maximum_speed_, watch_, step_is_too_large_, plugs_);
   if (collision_) archive(*collision_);
   archive(logged_step_, framed_step_, sampled_step_);
   archive(wall_time_before_, kernel_time_);

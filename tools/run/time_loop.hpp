@@ -70,7 +70,7 @@ class TimeLoop {
   long long total_steps_;
   bool is_resumed_;
   Energy start_energy_;
-  double greatest_speed_ = 0;  ///< at outputs, m/s
+  double maximum_speed_ = 0;  ///< at outputs, m/s
   bool has_warned_of_contacts_ = false;
 
   Outputs outputs_;

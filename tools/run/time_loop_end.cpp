@@ -56,7 +56,7 @@ void TimeLoop::write_end(const Status& status, int signal) {
   outcome.observation = view_.observe();
   outcome.start_energy = start_energy_;
   outcome.energy = view_.energy();
-  outcome.greatest_step_ratio = watch_.greatest_ratio();
+  outcome.maximum_step_ratio = watch_.maximum_ratio();
   outcome.steps_per_contact = contact_time_of(facts_, view_.deepest_overlap()) / facts_.time_step;
   outcome.frames = outputs_.writes_frames() ? outputs_.frame_count() : -1;
   outcome.capacities = view_.capacities();
@@ -97,7 +97,7 @@ void TimeLoop::report_stop(const Status& status, const std::string& trouble) con
   throw Failure(fault_exit_code(status.fault),
                 fmt::format("stopped at step {} ({:.6g} s): {}\n  {}{}", grouped(status.step),
                             static_cast<double>(status.step) * facts_.time_step, fault_sentence(facts_, status),
-                            fault_advice(facts_, status, greatest_speed_), end));
+                            fault_advice(facts_, status, maximum_speed_), end));
 }
 
 std::string TimeLoop::how_to_go_on() const {

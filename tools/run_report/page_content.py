@@ -14,7 +14,7 @@ def entry(what, found, word, why, tone=""):
 def time_step_verdicts(stability):
     """Of the bound on the step, and of the steps that a contact has: a step that is too long for contacts is not called stable."""
     rows = []
-    ratio, found, needed = (stability.get(key) for key in ("greatest_step_ratio", "steps_per_contact", "steps_per_contact_needed"))
+    ratio, found, needed = (stability.get(key) for key in ("maximum_step_ratio", "steps_per_contact", "steps_per_contact_needed"))
     is_coarse = found is not None and found < needed
     if ratio is not None:
         word, tone = ("beyond the bound", "bad") if ratio > 1 else ("too long for its contacts", "bad") if is_coarse else ("stable", "good")
@@ -39,11 +39,11 @@ def verdicts(summary, log, case):
     if overlap is not None:
         limit = case.get("run", {}).get("overlap_warning", 0.1)
         word, tone = ("small", "good") if overlap <= limit else ("large", "bad")
-        rows.append(entry("greatest overlap", f"{overlap:.2g} radii", word, f"small up to {limit:g}: Hertz' law holds for small ones", tone))
+        rows.append(entry("maximum overlap", f"{overlap:.2g} radii", word, f"small up to {limit:g}: Hertz' law holds for small ones", tone))
     error = summary["energy"]["balance_error"]
     if error is not None:
         rows.append(entry("energy balance", f"{100 * abs(error):.2g} % unaccounted", "for you to judge",
-                          "of the greatest term of the ledger below; falls with the time step"))  # fmt: skip
+                          "of the largest term of the ledger below; falls with the time step"))  # fmt: skip
     fullest = max(summary["capacity"].items(), key=lambda item: item[1]["high_water"] / item[1]["limit"] if item[1]["limit"] and item[0] != "memory" else 0)
     use = fullest[1]
     rows.append(entry("fixed arrays", f"{fullest[0]}: {number(use['high_water'])} of {number(use['limit'])}", "room enough" if use["high_water"] <= use["limit"] else "too small",
@@ -70,10 +70,10 @@ def charts(log):
         ("Coordination number", "", "", {"coordination number": "contacts of a particle"}, "Two for a pair, one for a wall, over the particles."),
         ("Pressure drop over the pipe", "Pa", "", {"pressure drop [Pa]": "pressure drop"}, ""),
         ("Where the plug is", "m", "points", {"plug front [m]": "front", "plug length [m]": "length"}, "Leaving at one end, the front enters at the other."),
-        ("Velocities", "m/s", "", {"max speed [m/s]": "greatest speed", "plug particle velocity [m/s]": "particles in the plug",
+        ("Velocities", "m/s", "", {"max speed [m/s]": "maximum speed", "plug particle velocity [m/s]": "particles in the plug",
                                     "mean axial velocity [m/s]": "mean axial"}, ""),
         ("Stationary layer", "", "", {"layer area ratio": "layer area ratio"}, "Solids fraction outside the plug over that inside."),
-        ("Greatest overlap and time step", "", "log", {"max overlap / radius": "overlap over radius", "time step / stable step": "time step over the stable one"}, ""),
+        ("Maximum overlap and time step", "", "log", {"max overlap / radius": "overlap over radius", "time step / stable step": "time step over the stable one"}, ""),
         ("Energy ledger", "J", "", {"gas work [J]": "work of the gas", "gravity work [J]": "work of gravity", "dissipated by damping [J]": "lost by damping",
                                     "dissipated by sliding [J]": "lost by sliding", "made by the tangential law [J]": "made by the tangential law", "kinetic": "kinetic", "elastic energy [J]": "elastic"}, ""),
     ]  # fmt: skip
@@ -117,7 +117,7 @@ def performance(summary, version):
 
 def capacity(summary):
     rows = [(name.replace("_", " "), number(use["high_water"]), number(use["limit"])) for name, use in summary["capacity"].items()]
-    return table("fixed arrays", ("array", "greatest use", "room"), rows)
+    return table("fixed arrays", ("array", "maximum use", "room"), rows)
 
 
 def facts(summary, case):

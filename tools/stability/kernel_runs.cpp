@@ -116,7 +116,7 @@ int decay(const std::string& to, double duration) {
   options.quiet = true;
   program::start_simulation(view, facts, options);
   std::ofstream file(to);
-  file << "time [s],kinetic energy [J],greatest overlap / radius\n";
+  file << "time [s],kinetic energy [J],maximum overlap / radius\n";
   Status status;
   const auto steps = std::llround(duration / facts.time_step);
   constexpr int rows = 100;

@@ -2,7 +2,7 @@
 // create.
 //
 // Compiled for a case like its program. Usage: limits STATE OUT SPEED [quick]. STATE: the case's particles at rest
-// (kernel_runs.cpp); OUT: folder for limits.csv, rules.csv and grazing.csv; SPEED: the greatest of the case's run, m/s.
+// (kernel_runs.cpp); OUT: folder for limits.csv, rules.csv and grazing.csv; SPEED: the largest of the case's run, m/s.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,7 +85,7 @@ void bed_limits(const Scene& bed, bool is_quick, Table& table) {
     }
 }
 
-/// Collisions at the greatest speed, straight and at 45 degrees. Predicted: the springs at the greatest overlap.
+/// Collisions at the maximum speed, straight and at 45 degrees. Predicted: the springs at the maximum overlap.
 void collision_limits(double speed, Table& table) {
   for (const bool is_pair : {false, true})
     for (const double degrees : {0.0, 45.0}) {
@@ -96,7 +96,7 @@ void collision_limits(double speed, Table& table) {
         const Impact impact{is_pair, speed, degrees * pi / 180};
         const double contact_time = program::contact_time(facts_at_present(), speed);
         VariableCase::time_step = contact_time / 1000;
-        const double deepest = rebound(impact, 0.5).greatest_overlap;
+        const double deepest = rebound(impact, 0.5).maximum_overlap;
         const auto contacts = contacts_of(impact_scene(impact, -deepest));
         const double predicted = predicted_step(contacts, criterion);
         auto facts = facts_at_present();

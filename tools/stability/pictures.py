@@ -44,7 +44,7 @@ def draw_limits(content, out):
                 curves.append(f"'{file}' using 1:4 with lines dashtype 2 linecolor 'black' title 'bound watched by programs'")
         curves.append(f"{content['summary']['time_step']} with lines dashtype 3 linecolor 'black' title 'time step of the case'")
         gnuplot(
-            f"set title '{content['case']}: greatest stable time step of the settled bed' noenhanced\nset xlabel 'restitution'\n"
+            f"set title '{content['case']}: maximum stable time step of the settled bed' noenhanced\nset xlabel 'restitution'\n"
             "set ylabel 'time step, s'\nset logscale y\nset format y '10^{%T}'\nset mytics 10\nset xrange [0.15:1.02]\nset key at graph 0.98, 0.5\nplot "
             + ", ".join(curves),
             out / "limits",

@@ -19,8 +19,8 @@ std::vector<Rule> rules_of_thumb(const program::CaseFacts& facts, double youngs_
     rules.push_back({"Rayleigh time / 5", rayleigh / 5});
   }
   const double hertz = program::contact_time(facts, speed);
-  rules.push_back({"contact time at the greatest speed", hertz});
-  rules.push_back({"contact time at the greatest speed / 20", hertz / fewest_steps_per_contact});
+  rules.push_back({"contact time at the maximum speed", hertz});
+  rules.push_back({"contact time at the maximum speed / 20", hertz / fewest_steps_per_contact});
   if (contacts.empty()) return rules;
 
   const auto springs = springs_of(contacts, facts.normal, facts.pair_contact, facts.wall_contact);

@@ -2,7 +2,7 @@
 //
 // Those that need a contact take the deepest of the state. SI units.
 //   Rayleigh time          pi r sqrt(rho/G) / (0.1631 nu + 0.8766), and a fifth of it
-//   Hertz contact time     of an impact at the greatest speed, and a twentieth of it
+//   Hertz contact time     of an impact at the maximum speed, and a twentieth of it
 //   Cundall and Strack     2 sqrt(m / k_n), k_n = (3/2) K overlap^(1/2)
 //   eq. (39) of the paper  2 sqrt(m / k), the one-dimensional oscillator; k = K overlap^(1/2), force over overlap
 //   stiffest contact       two particles and all springs of the deepest contact between them

@@ -118,7 +118,7 @@ def decays(report, duration, limit, count):
         for step, outcome, energy, deepest, curve in pool.map(one, steps):
             tenth = curve[min(10, len(curve) - 1)]
             rows.append({"step [s]": step, "outcome": outcome, "at a tenth [J]": tenth["kinetic energy [J]"], "at the end [J]": energy,
-                         "greatest overlap / radius": deepest})
+                         "maximum overlap / radius": deepest})
             curves[step] = curve
     with (report.chosen.out / "decay.csv").open("w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
@@ -135,7 +135,7 @@ def extremes(report, quick, has_gas):
 
     def one(scene):
         name, k, title = scene
-        row = dict.fromkeys(("scene", "verdict", "balance error", "greatest overlap / radius", "restitution", "message"), "")
+        row = dict.fromkeys(("scene", "verdict", "balance error", "maximum overlap / radius", "restitution", "message"), "")
         row["scene"] = title
         try:
             done = subprocess.run([str(report.program(name)), str(k)], capture_output=True, text=True, timeout=LONGEST)
@@ -168,7 +168,7 @@ def no_particles(report):
     done = subprocess.run([str(report.chosen.casegen), str(file), "--output", str(file.with_suffix(".hpp"))], capture_output=True, text=True)
     said = done.stderr.replace(str(file), report.chosen.case_file.name)
     verdict = "refused" if done.returncode == 3 and "count" in said else "DEFECT"
-    return {"scene": "no particles", "verdict": verdict, "balance error": "", "greatest overlap / radius": "", "restitution": "",
+    return {"scene": "no particles", "verdict": verdict, "balance error": "", "maximum overlap / radius": "", "restitution": "",
             "message": f"exit code {done.returncode}: " + " ".join(said.split())}
 
 

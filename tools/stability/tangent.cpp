@@ -12,9 +12,9 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
-/// Greatest eigenvalue of a symmetric matrix without negative ones; `vector` is the start, and the eigenvector after.
+/// Maximum eigenvalue of a symmetric matrix without negative ones; `vector` is the start, and the eigenvector after.
 /// The start must hold some of that eigenvector, or another one is found.
-double greatest(const Matrix& matrix, Vector& vector) {
+double maximum(const Matrix& matrix, Vector& vector) {
   constexpr int most_iterations = 3000;
   double value = 0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
@@ -116,7 +116,7 @@ double undamped_critical_step(const SpringNetwork& network, Springs kind) {
   const Tangent t = tangent(network, kind);
   if (t.stiffness.nonZeros() == 0) return std::numeric_limits<double>::infinity();
   Vector mode = start_vector(t.stiffness.rows());
-  return 2 / std::sqrt(greatest(t.stiffness, mode));
+  return 2 / std::sqrt(maximum(t.stiffness, mode));
 }
 
 double critical_step(const SpringNetwork& network, const program::StepCriterion& criterion) {
@@ -126,11 +126,11 @@ double critical_step(const SpringNetwork& network, const program::StepCriterion&
       criterion.normal_damping * t.normal_damping + criterion.tangential_damping * t.tangential_damping;
   const Vector start = start_vector(t.stiffness.rows());
   Vector mode = start;
-  double h = 2 / std::sqrt(greatest(t.stiffness, mode));
+  double h = 2 / std::sqrt(maximum(t.stiffness, mode));
   for (int iteration = 0; iteration < 40; ++iteration) {
     const Matrix matrix = h * h * t.stiffness + h * damping;
     mode = (mode + start).normalized();  // where damping counts, other particles may be the ones that limit the step
-    greatest(matrix, mode);
+    maximum(matrix, mode);
     const double k = mode.dot(t.stiffness * mode), c = mode.dot(damping * mode);
     const double next = 8 / (c + std::sqrt(c * c + 16 * k));
     if (std::fabs(next - h) <= 1e-7 * h) return next;

@@ -1,4 +1,4 @@
-// The exact critical time step of a state: the greatest eigenvalue of its tangent stiffness and damping.
+// The exact critical time step of a state: the maximum eigenvalue of its tangent stiffness and damping.
 //
 // Every contact is a normal and a tangential spring with a damper each at its present overlap; a particle moves by x
 // and turns by theta, and the slip of a contact is the tangential part of x_i - x_j + r (theta_i + theta_j) x n.
@@ -6,7 +6,7 @@
 // Sliding contacts count as sticking, and the turning of the normal under load (of the order of overlap / d) is left
 // out.
 //
-// The critical step h of a criterion (tools/run/step_criteria.hpp) makes the greatest eigenvalue of
+// The critical step h of a criterion (tools/run/step_criteria.hpp) makes the maximum eigenvalue of
 // h^2 K + h (a C_n + b C_t) equal to 4. With its eigenvector u the quadratic equation u^T (...) u = 4 gives the next h,
 // from above and quadratically. Eigenvectors by power iteration: after k products the eigenvalue is short by a fraction
 // of 1 / (5 k) at most, however near the next one lies, so 3000 leave less than 1e-4; a Lanczos library would be
@@ -41,7 +41,7 @@ double critical_step(const SpringNetwork&, const program::StepCriterion&);
 
 /// Which springs to take: all, or normal ones only (no rotation), which is one of the rules of thumb.
 enum class Springs { all, normal };
-/// Without any damping: 2 / greatest angular frequency.
+/// Without any damping: 2 / maximum angular frequency.
 double undamped_critical_step(const SpringNetwork&, Springs);
 
 }  // namespace fixdem::stability

@@ -47,11 +47,10 @@ inline double mechanical(const Reference& program) {
   return e.kinetic + e.elastic - e.gravity_work - e.gas_work;
 }
 
-inline double greatest_overlap(const Reference& program) {
-  double greatest = 0;
-  program.for_each_contact(
-      [&](const reference::Contact& c) { greatest = c.overlap > greatest ? c.overlap : greatest; });
-  return greatest;
+inline double maximum_overlap(const Reference& program) {
+  double maximum = 0;
+  program.for_each_contact([&](const reference::Contact& c) { maximum = c.overlap > maximum ? c.overlap : maximum; });
+  return maximum;
 }
 
 /// Bed: kinetic energy a hundredfold of what the push gave within `steps`, or no number. With impulses springs at rest
@@ -63,14 +62,14 @@ inline bool bed_is_stable(Scene scene, long long steps) {
   for (Particle& p : scene.particles)
     for (int c = 0; c < 3; ++c) p.velocity[c] = random.between(-push, push), p.angular_velocity[c] = 0;
   Reference program = loaded(scene);
-  double greatest = 100 * program.energy().kinetic;
+  double maximum = 100 * program.energy().kinetic;
   if (VariableCase::integrator == Integrator::impulse) {
     program.run(1);
-    greatest = program.energy().elastic;
+    maximum = program.energy().elastic;
   }
   for (long long done = 0; done < steps; done += 50) {
     program.run(50);
-    if (!(program.energy().kinetic <= greatest)) return false;
+    if (!(program.energy().kinetic <= maximum)) return false;
   }
   return true;
 }
@@ -88,7 +87,7 @@ inline bool run_is_stable(const Scene& scene, double duration) {
     const reference::Energy e = program.energy();
     scale = std::fmax(scale, std::fmax(std::fabs(e.gravity_work), std::fabs(e.gas_work)));
     if (!(mechanical(program) <= begin + 0.05 * scale)) return false;
-    if (!(greatest_overlap(program) <= Case::max_overlap * Case::diameter / 2)) return false;
+    if (!(maximum_overlap(program) <= Case::max_overlap * Case::diameter / 2)) return false;
   }
   return true;
 }
@@ -125,7 +124,7 @@ struct Rebound {
   double energy_ratio;      ///< kinetic energy after over before
   double created;           ///< (after + dissipated - before) / before
   double tangential_share;  ///< of the energy before
-  double greatest_overlap;
+  double maximum_overlap;
 };
 
 /// The impact is followed until the contact has opened, or for 100 000 steps (then nothing is a number).
@@ -139,7 +138,7 @@ inline Rebound rebound(const Impact& impact, double phase) {
   bool has_touched = false;
   for (int step = 0; step < 100000; ++step) {
     program.run(1);
-    const double overlap = greatest_overlap(program);
+    const double overlap = maximum_overlap(program);
     deepest = std::fmax(deepest, overlap);
     if (overlap > 0) has_touched = true;
     if (has_touched && !(overlap > 0)) {
@@ -159,7 +158,7 @@ inline bool collision_is_stable(const Impact& impact) {
   return true;
 }
 
-/// Greatest stable step between `low` and `high`, to `accuracy`; the ends are moved until one passes and one does not.
+/// Maximum stable step between `low` and `high`, to `accuracy`; the ends are moved until one passes and one does not.
 inline double measured_limit(double low, double high, double accuracy, const std::function<bool()>& is_stable) {
   const auto passes = [&](double h) {
     VariableCase::time_step = h;

@@ -68,7 +68,7 @@ def draw(sweep, points, out):
         labels = PLUG_VELOCITY_LABELS if plug_velocity else (".".join(x), figure)
         name = "fig_13" if plug_velocity else figure
         means_picture(series, out / name, *labels, "set yrange [*<0:0.1<*]\n" if figure == "front_velocity" else "")
-        spread = "means, bars from the least to the greatest" + ("; 0: no plug" if figure == "front_velocity" else "")
+        spread = "means, bars from minimum to maximum" + ("; 0: no plug" if figure == "front_velocity" else "")
         pictures.append(
             (
                 f"{PLUG_VELOCITY if plug_velocity else f'{figure} against {labels[0]}'}; {spread}",

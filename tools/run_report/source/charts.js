@@ -12,7 +12,7 @@ function inWords(chart, times, columns) {
     const values = columns[column].filter((value) => value !== null);
     if (!values.length) return `${label}: never defined`;
     return `${label}: from ${short(values[0])} to ${short(values.at(-1))}, least ${short(Math.min(...values))}, ` +
-        `greatest ${short(Math.max(...values))}`;
+        `maximum ${short(Math.max(...values))}`;
   });
   return `${chart.title}, ${chart.unit || 'no unit'}, over ${short(times.at(-1))} s. ${sentences.join('. ')}.`;
 }
