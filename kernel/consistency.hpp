@@ -191,7 +191,7 @@ bool are_zeros_zero(const Contacts<Case>& contacts) {
 template <class Case>
 bool is_consistent(const State<Case>& s) {
   const Contacts<Case>& contacts = s.contacts;
-  if (!s.status.ok() || s.step < 0 || !s.kept.is_empty()) return false;
+  if (!s.status.ok() || s.step < 0 || !s.before.kept.is_empty()) return false;
   if (!check_places(contacts, s.particles).ok() || !detail::are_particles_consistent(s.particles)) return false;
   const OuterList<Case>& outer = s.near_list.outer;
   if (!detail::is_outer_list_consistent(outer) || contacts.span != outer.span) return false;

@@ -186,8 +186,8 @@ FIXDEM_INLINE ContactStep<V> slide(ContactStep<V> stuck, Mask slides, const Tang
 inline constexpr double maximum_turn = 1e-4;
 
 /// How a contact_force call deals with lanes that slide: computes them, or reports one and leaves the whole call to be
-/// repeated by `at_rest`. In these two no lane may turn by an angle that counts (NearList::is_still), and none is looked at for it,
-/// so that a lane has the same bits whichever of them it goes through.
+/// repeated by `at_rest`. In these two no lane may turn by an angle that counts (NearList::is_still), and none is
+/// looked at for it, so that a lane has the same bits whichever of them it goes through.
 enum class SlidingLanes { computed, reported, at_rest };
 
 /// The kept vector projected on the tangent plane and grown by `gain` times the slip. Projection shortens the kept

@@ -26,22 +26,29 @@ class Simulation {
   static constexpr int count = Case::particle_count;
 
   /// Places particle `id` (0 .. count-1). All are placed before start(); values in SI units.
-  void place(int id, const Particle& particle) { placed_[id] = particle; }
+  /// The present state stays until then.
+  void place(int id, const Particle& particle) {
+    s_.before.placed[id] = particle;
+    is_placed_[id] = is_placing_ = 1;
+  }
 
-  /// Sorts, checks and lists; clears contact histories, clocks and ledgers. A fault names what cannot start.
+  /// Sorts, checks and lists; clears contact histories, clocks and ledgers. A fault names what cannot start. All
+  /// particles are placed anew before each start.
   Status start() {
+    is_placing_ = 1;
+    for (int i = 0; i < count; ++i)
+      if (is_placed_[i] != 1) return s_.status = {Fault::not_placed, i, 0, 0, 1};
     s_.step = s_.histories_given_at = 0;
     s_.status = {};
     s_.deepest = 0;
     for (auto& monitor : s_.monitor) monitor = {};
     s_.near_list.most_neighbours = s_.near_list.most_chunk_pairs = s_.near_list.most_wrap_pairs = 0;
-    s_.near_list.most_reach = 0;
+    s_.near_list.most_reach = s_.near_list.most_histories = 0;
     s_.near_list.listings = s_.near_list.sorts = 0;
-    clear_contacts();
     for (int i = 0; i < count; ++i) {
       s_.particles.id[i] = i;
       s_.particles.image[i] = 0;
-      const Particle& from = placed_[i];
+      const Particle& from = s_.before.placed[i];
       double* x = s_.particles.position[i];
       double* v = s_.particles.motion[i];
       for (int c = 0; c < 4; ++c) x[c] = c < 3 ? from.position[c] : 0;
@@ -55,7 +62,9 @@ class Simulation {
       if constexpr (Case::has_gas)
         for (int c = 0; c < 4; ++c) s_.particles.gas_kick.row[i][c] = 0;
     }
-    s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.kept, s_.scratch, 0);
+    forget_placed();
+    clear_contacts();
+    s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.before.kept, s_.scratch, 0);
     if constexpr (takes_impulses<Case>) mark_contacts_as_found();
     if (s_.status.ok()) s_.status = deepest();
     if constexpr (is_coupled<Case>) s_.particles.coupling.reset();
@@ -97,6 +106,7 @@ class Simulation {
   /// Advances by `steps` time steps, or to the first fault. After a fault it does nothing more.
   Status run(long long steps) {
     static_assert(within_budget<Case, sizeof(Simulation)>());
+    if (is_placing_ != 0) forget_placed();
     advance<Case, W>(s_, steps);
     if (s_.status.fault == Fault::overlap && s_.status.particle < 0) s_.status.particle = deepest().particle;
     return s_.status;
@@ -218,12 +228,18 @@ class Simulation {
     return id_row_[id];
   }
 
+  /// What has been placed gives way to the histories that are kept there.
+  void forget_placed() {
+    for (unsigned char& is_placed : is_placed_) is_placed = 0;
+    is_placing_ = 0;
+    if constexpr (keeps_history<Case>) s_.before.kept.clear();
+  }
+
   void clear_contacts() {
     for (int c = 0; c < PairBatches<Case>::ranges; ++c) s_.contacts.pairs.count[c] = 0;
     for_each_wall(s_.contacts, [](auto& walls) {
       for (int& contacts : walls.count) contacts = 0;
     });
-    if constexpr (keeps_history<Case>) s_.kept.clear();
     for (auto& r : s_.contacts.rows) r = 0;
     for (auto& sum : s_.contacts.sum)
       for (auto& s : sum) s = 0;
@@ -269,9 +285,10 @@ class Simulation {
   }
 
   State<Case> s_;
-  Particle placed_[count];
   double start_place_[3];
   mutable int id_row_[count];
+  unsigned char is_placed_[count];  ///< 1 if so, since the last start or run
+  unsigned char is_placing_;
 };
 
 }  // namespace fixdem

@@ -3,10 +3,11 @@
 // Listing moves contacts to other lanes, and sorting moves them to other chunks and can exchange owner and partner.
 // Before, every history that is not zero is kept here under the input numbers of its contact (walls have negative
 // ones); after, each listed contact asks for its own. Seen from the other side the tangential displacement changes
-// sign: slip and normal both do. Capacity is that of the batches themselves.
+// sign: slip and normal both do.
 #pragma once
 
 #include "contacts.hpp"
+#include "status.hpp"
 
 namespace fixdem {
 
@@ -15,7 +16,7 @@ class KeptHistory {
  public:
   /// Once, before the first use.
   void clear() {
-    entries_ = 0;
+    entries_ = lost_ = 0;
     for (int& newest : newest_) newest = -1;
   }
 
@@ -23,6 +24,10 @@ class KeptHistory {
     bool is_zero = true;
     for (int c = 0; c < size; ++c) is_zero = is_zero && numbers[c] == 0;
     if (is_zero) return;
+    if (entries_ == Capacity<Case>::histories) {
+      ++lost_;
+      return;
+    }
     Entry& e = entry_[entries_];
     e.partner = partner, e.older = newest_[owner] >= 0 ? newest_[owner] : -1 - owner;
     for (int c = 0; c < size; ++c) e.value[c] = numbers[c];
@@ -39,9 +44,16 @@ class KeptHistory {
 
   /// Whether there is nothing in it; a state from outside may have any bytes here.
   bool is_empty() const {
-    bool is_empty = entries_ == 0;
+    bool is_empty = entries_ == 0 && lost_ == 0;
     for (int newest : newest_) is_empty = is_empty && newest == -1;
     return is_empty;
+  }
+
+  int count() const { return entries_; }
+  /// Fault once more histories have been kept than there is room for.
+  Status status() const {
+    constexpr double room = Capacity<Case>::histories;
+    return lost_ > 0 ? Status{Fault::history_capacity, -1, 0, room + lost_, room} : Status{};
   }
 
   void forget() {
@@ -66,9 +78,9 @@ class KeptHistory {
     int partner, older;  ///< of the same owner; its oldest entry has -1 - owner there
     Real<Case> value[size];
   };
-  Entry entry_[PairBatches<Case>::batches * Capacity<Case>::batch + kinds_of_wall<Case> * Case::particle_count];
+  Entry entry_[Capacity<Case>::histories];
   int newest_[Case::particle_count];
-  int entries_;
+  int entries_, lost_;
 };
 
 /// Without history there is nothing to keep.
@@ -79,6 +91,8 @@ class KeptHistory<Case, false> {
   void keep(int, int, const HistoryNumbers<const Real<Case>>&) {}
   bool restore(int, int, const HistoryNumbers<Real<Case>>&) const { return false; }
   bool is_empty() const { return true; }
+  int count() const { return 0; }
+  Status status() const { return {}; }
   void forget() {}
 };
 

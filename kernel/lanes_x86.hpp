@@ -175,7 +175,8 @@ FIXDEM_INLINE bool any(FloatMask16 mask) {
   const auto a = detail::Ints16(mask);
   return __builtin_ia32_ptestmd512(a, a, detail::all16) != 0;
 }
-// It turns a mask into a vector and back before it looks at its bits; a comparison of its own leaves them where they are.
+// It turns a mask into a vector and back before it looks at its bits; a comparison of its own leaves them where they
+// are.
 FIXDEM_INLINE unsigned bits_below(Lanes8 a, Lanes8 b) {
   constexpr int less = 17;  // and false for what is no number, without a signal
   return static_cast<unsigned char>(__builtin_ia32_cmppd512_mask(a, b, less, detail::all8, 4));

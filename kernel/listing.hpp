@@ -128,6 +128,7 @@ Status keep_listed(Contacts<Case>& contacts, NearList<Case>& near, const Particl
     ++near.listings;
     keep_pair_histories(contacts, p, kept, range);
     status = list_pairs<Case, W>(contacts, near, p, kept, range);
+    if (status.ok()) status = kept.status();
     kept.forget();
     if (range == Cap::chunks)
       for (int c = 0; c < Cap::chunks; ++c) contacts.slots_are_stale[c] |= near.outer.concerns_ends(c);

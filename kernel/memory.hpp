@@ -8,7 +8,7 @@
 
 namespace fixdem {
 
-/// Bytes by purpose; the sum of all is the size of the simulation less what it keeps of its start.
+/// Bytes by purpose; the sum of all is the size of the simulation less some flags.
 template <class Case>
 struct MemoryUse {
   using D = Derived<Case>;
@@ -24,7 +24,7 @@ struct MemoryUse {
   static constexpr long long force_rows = sizeof(C::rows);
   static constexpr long long slots = static_cast<long long>(sizeof(C)) - sizeof(Pairs) - walls - force_rows;
   static constexpr long long near_list = sizeof(NearList<Case>);
-  static constexpr long long listing = sizeof(ListingScratch<Case>) + bytes_of<KeptHistory<Case>>;
+  static constexpr long long listing = sizeof(ListingScratch<Case>) + sizeof(KeptOrPlaced<Case>);
   static constexpr long long gas = bytes_of<GasSlices<Case>>;
   static constexpr long long state = sizeof(State<Case>);
 };
@@ -91,7 +91,7 @@ struct HighWater {
 
 namespace detail {
 
-inline constexpr int high_water_marks = 4;
+inline constexpr int high_water_marks = 5;
 
 template <class Case>
 HighWater high_water(const NearList<Case>& near, int k) {
@@ -103,6 +103,8 @@ HighWater high_water(const NearList<Case>& near, int k) {
       return {"chunk_pairs", Cap::chunk_pairs, near.most_chunk_pairs};
     case 2:
       return {"wrap_pairs", Derived<Case>::is_periodic ? Cap::wrap_pairs : 0, near.most_wrap_pairs};
+    case 3:
+      return {"histories", keeps_history<Case> ? Cap::histories : 0, near.most_histories};
     default:
       return {"in_reach", Cap::in_reach, near.most_reach};
   }

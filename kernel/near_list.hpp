@@ -34,7 +34,7 @@ struct NearList {
   long long listings, sorts;
 
   // High-water marks of the capacities.
-  int most_neighbours, most_chunk_pairs, most_wrap_pairs, most_reach;
+  int most_neighbours, most_chunk_pairs, most_wrap_pairs, most_reach, most_histories;
 
   /// Velocities of all particles that a range concerns.
   VelocityBox velocities_of(int range) const {

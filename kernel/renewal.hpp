@@ -41,6 +41,8 @@ Status renew(Contacts<Case>& contacts, NearList<Case>& near, Particles<Case>& p,
   for_each_wall(contacts, [&](const auto& walls) {
     for (int chunk = 0; chunk < Cap::chunks; ++chunk) keep_wall_histories(walls, p, kept, chunk);
   });
+  if (const Status status = kept.status(); !status.ok()) return status;
+  near.most_histories = kept.count() > near.most_histories ? kept.count() : near.most_histories;
   if constexpr (D::is_periodic) wrap_into_pipe(p);
   sort_by_cell(near.outer, contacts.sort, p);
   for (int i = 0; i < Case::particle_count; ++i) p.note_motion(i);

@@ -11,6 +11,8 @@ enum class Fault {
   neighbour_capacity,  ///< near pairs of one particle
   pair_capacity,       ///< near pairs owned by one chunk, or across the periodic ends
   chunk_capacity,      ///< particles within reach along the pipe
+  history_capacity,    ///< contacts with a history
+  not_placed,          ///< particles that are there at the start
   non_finite,          ///< a position or velocity that is no number
   outside_pipe,        ///< distance from the axis, or place along a closed pipe, in m
   overlap,             ///< overlap of a contact, in radii
@@ -30,6 +32,10 @@ constexpr const char* describe(Fault fault) {
       return "near pairs in one chunk of the pipe";
     case Fault::chunk_capacity:
       return "particles within reach along the pipe";
+    case Fault::history_capacity:
+      return "contacts with a history";
+    case Fault::not_placed:
+      return "times that the particle was placed before the start";
     case Fault::non_finite:
       return "a value that is not finite";
     case Fault::outside_pipe:

@@ -18,13 +18,28 @@ namespace fixdem {
 /// A particle that travels further than this in one step, in radii, could pass through another one unseen.
 inline constexpr double maximum_travel_per_step = 0.5;
 
+/// A particle as the user sees it.
+struct Particle {
+  double position[3];          ///< m; x horizontal, y up, z along the pipe
+  double velocity[3];          ///< m/s
+  double angular_velocity[3];  ///< rad/s
+};
+
+/// Histories while contacts are listed again, or in the same place the particles as they have been placed, until the
+/// start.
+template <class Case>
+union KeptOrPlaced {
+  KeptHistory<Case> kept;
+  Particle placed[Case::particle_count];
+};
+
 template <class Case>
 struct State {
   Particles<Case> particles;
   Contacts<Case> contacts;
   NearList<Case> near_list;
   ListingScratch<Case> scratch;
-  [[no_unique_address]] KeptHistory<Case> kept;
+  KeptOrPlaced<Case> before;
   [[no_unique_address]] GasSlices<Case> gas;
   StepMonitor<Case> monitor[NearList<Case>::ranges];
   Status status;
@@ -94,7 +109,7 @@ Status check_chunk(State<Case>& s, int chunk, long long step) {
 template <class Case, int W>
 void begin_range(State<Case>& s, int range, long long step) {
   const double travel = s.near_list.velocities_of(range).spread() * Case::time_step;
-  const Status listed = keep_listed<Case, W>(s.contacts, s.near_list, s.particles, s.kept, range, travel);
+  const Status listed = keep_listed<Case, W>(s.contacts, s.near_list, s.particles, s.before.kept, range, travel);
   if (!listed.ok()) detail::note(s, listed, step + 1);
   s.monitor[range].begin_step();
 }
@@ -174,7 +189,7 @@ template <class Case, int W>
 void begin_step(State<Case>& s) {
   Status status;
   if (s.near_list.order_is_due(s.step))
-    status = renew<Case, W>(s.contacts, s.near_list, s.particles, s.kept, s.scratch, s.step);
+    status = renew<Case, W>(s.contacts, s.near_list, s.particles, s.before.kept, s.scratch, s.step);
   if constexpr (Case::has_gas) {
     if (status.ok() && s.step % Case::gas_floater_interval == 0)
       find_floaters<Case, W>(s.gas, s.particles, s.near_list.outer);

@@ -124,6 +124,64 @@ TEST_CASE("fault: more particles beside each other than are compared, during the
   check_stopped<crowd>(spheres, {Fault::chunk_capacity, 1, 199, static_cast<double>(limit)}, 3700, 100);
 }
 
+/// A body-centred cubic lattice whose spheres touch eight neighbours in the corners of a cube and six beyond its faces:
+/// more than the twelve of spheres that do not overlap.
+struct squeezed : few {
+  static constexpr int cells = 12, layers = 6, particle_count = 2 * cells * cells * layers;
+  static constexpr int neighbour_capacity = 20;
+  static constexpr bool has_wall = false;
+  static constexpr double edge = 0.99 * diameter, pipe_length = layers * edge, pipe_diameter = 2 * cells * edge;
+};
+
+TEST_CASE("fault: more contacts than spheres that do not overlap can have") {
+  Spheres spheres;
+  Random random(seed());
+  for (int k = 0; k < squeezed::particle_count; ++k) {
+    const int cell = k / 2, x = cell % squeezed::cells, y = cell / squeezed::cells % squeezed::cells;
+    const double half = 0.5 * (k % 2), z = cell / (squeezed::cells * squeezed::cells);
+    Sphere sphere{};
+    for (double& v : sphere.velocity) v = random(-0.1, 0.1);  // so that all springs are stretched
+    const double place[3] = {x + half - 0.5 * squeezed::cells, y + half - 0.5 * squeezed::cells, z + half};
+    for (int c = 0; c < 3; ++c) sphere.position[c] = place[c] * squeezed::edge;
+    spheres.push_back(sphere);
+  }
+  auto& simulation = guarded<squeezed>().simulation;
+  place_all(simulation, spheres);
+  REQUIRE(simulation.start().ok());
+  REQUIRE(simulation.run(1).ok());
+  int contacts = 0;
+  simulation.for_each_contact([&](const Contact&) { ++contacts; });
+  constexpr int limit = Capacity<squeezed>::histories;
+  REQUIRE(contacts > limit);
+  auto& s = simulation.state();
+  const Status status =
+      renew<squeezed, native_lanes>(s.contacts, s.near_list, s.particles, s.before.kept, s.scratch, s.step);
+  check_status(status, {Fault::history_capacity, -1, static_cast<double>(contacts), static_cast<double>(limit)});
+  CHECK(guarded<squeezed>().intact());
+}
+
+TEST_CASE("fault: particles that have not been placed") {
+  Simulation<few>& simulation = guarded<few>().simulation;
+  const Spheres spheres = apart();
+  place_all(simulation, spheres);
+  REQUIRE(simulation.start().ok());
+  REQUIRE(simulation.run(3).ok());
+  check_status(simulation.start(), {Fault::not_placed, 0, 0, 1});  // a second start needs them again
+  CHECK(simulation.run(1).fault == Fault::not_placed);
+
+  for (int id : {0, 1, 3}) simulation.place(id, spheres[static_cast<std::size_t>(id)]);
+  check_status(simulation.start(), {Fault::not_placed, 2, 0, 1});
+  simulation.place(2, spheres[2]);
+  CHECK(simulation.start().ok());
+  CHECK(simulation.run(3).ok());
+
+  // What has been placed is gone when the run goes on.
+  place_all(simulation, spheres);
+  CHECK(simulation.run(3).ok());
+  CHECK(simulation.step() == 6);
+  check_status(simulation.start(), {Fault::not_placed, 0, 0, 1});
+}
+
 TEST_CASE("fault: input that is no finite number") {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinity, -infinity}) {

@@ -68,6 +68,10 @@ const char* fault_name(Fault fault) {
       return "pair_capacity";
     case Fault::chunk_capacity:
       return "chunk_capacity";
+    case Fault::history_capacity:
+      return "history_capacity";
+    case Fault::not_placed:
+      return "not_placed";
     case Fault::non_finite:
       return "non_finite";
     case Fault::outside_pipe:
@@ -91,6 +95,7 @@ ExitCode fault_exit_code(Fault fault) {
     case Fault::neighbour_capacity:
     case Fault::pair_capacity:
     case Fault::chunk_capacity:
+    case Fault::history_capacity:
       return exit_capacity;
     default:
       return exit_unstable;
@@ -127,6 +132,9 @@ std::string fault_advice(const CaseFacts& facts, const Status& status, double sp
       return "more particles lie beside each other than touching ones in a pipe of [pipe] diameter: they overlap "
              "deeply, or "
              "the case has no wall to hold them";
+    case Fault::history_capacity:
+      return "there are more than six contacts for each particle, which spheres that do not overlap cannot have: "
+             "lower [run] time_step, or max_overlap so that the run stops where it begins";
     case Fault::gas_unsolved:
       return "the gas flow of a slice has no solution in floating point: check [gas] bulk_velocity, density and "
              "kinematic_viscosity";
