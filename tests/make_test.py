@@ -10,6 +10,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 sys.dont_write_bytecode = True
@@ -58,8 +59,14 @@ class Contents(Made):
         replace(case, SMALL)
         command = ["make", *CHOSEN, "build-program", "CASE=mine.toml"]
         together = [subprocess.Popen(command, cwd=checkout, env=ENVIRONMENT, stderr=subprocess.DEVNULL) for _ in range(2)]
+        seen = set()  # of the program, as a run beside the other make would find it
+        while any(process.poll() is None for process in together):
+            seen |= {(at.st_size, at.st_mode & 0o777) for at in map(Path.stat, (checkout / variant).glob("elsewhere/*/bin/mine"))}
+            time.sleep(0.001)
         self.assertEqual([process.wait() for process in together], [0, 0])
         (program,) = (checkout / variant).glob("elsewhere/*/bin/mine")
+        whole = (program.stat().st_size, program.stat().st_mode & 0o777)
+        self.assertTrue(seen <= {whole}, f"{seen}: the program is there when it is whole, {whole}")
         self.assertEqual([path.name for path in program.parent.iterdir()], ["mine"], "no file half written is left")
         self.assertEqual(self.hash_of_program(program), self.hash_of_case(case))
         self.assertNotIn("compile", self.made("build-program", "CASE=mine.toml"), "what is right is left alone")
@@ -84,6 +91,15 @@ class Contents(Made):
         code, out, said = make("run", "CASE=mine.toml")
         self.assertNotEqual(code, 0, out)
         self.assertIn("mine.toml has changed since its program was compiled", said)
+
+    def test_a_step_too_long_for_contacts_is_warned_of_at_each_run(self):
+        (checkout / "long.toml").write_text(SMALL.replace("time_step = 2.0e-6", "time_step = 2.0e-5"))
+        for options in ((), ("FRESH=1",)):
+            code, _, said = make("run", "CASE=long.toml", *options)
+            self.assertEqual(code, 0, said)
+            self.assertRegex(said, r"time_step = 2e-05 gives only \d+\.\d steps per contact at the deepest overlap")
+        for summary in (checkout / "out").glob("long-*/summary.json"):
+            self.assertLess(json.loads(summary.read_text())["stability"]["steps_per_contact"], 20)
 
     def test_a_pipe_too_wide_for_so_many_particles(self):
         wide = scratch / "wide.toml"

@@ -112,8 +112,9 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
                   "--extend is added to the duration of the run, --duration is the whole: give one of them");
   if (const double more = options.extension / facts.time_step;
       extend->count() > 0 && !(more >= 0.5 && more < most_steps))
-    throw Failure(exit_wrong_usage, fmt::format("--extend {}: a time in seconds, one step ({} s) or more, is needed",
-                                                options.extension, facts.time_step));
+    throw Failure(exit_wrong_usage,
+                  fmt::format("--extend {}: a time in seconds is needed, from one step ({} s) to {:.0e} steps ({:g} s)",
+                              options.extension, facts.time_step, most_steps, most_steps * facts.time_step));
   if (interval->count() > 0 && !(options.checkpoint_interval >= facts.time_step))
     throw Failure(exit_wrong_usage,
                   fmt::format("--checkpoint-interval {}: a time in seconds is needed, one step ({} s) "
