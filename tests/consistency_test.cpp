@@ -90,7 +90,7 @@ void attack() {
   hostile.change("next decision", s.near_list.next_decision);
   hostile.change("last sort", s.near_list.sorted_at);
   hostile.change("travel since then", s.near_list.travel);
-  hostile.change("kept histories", s.kept);
+  hostile.change("kept histories", s.before.kept);
   hostile.change("owners", s.contacts.pairs.owner);
   hostile.change("partners", s.contacts.pairs.partner);
   hostile.change("bits of touching pairs", s.contacts.pairs.touching);
