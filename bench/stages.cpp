@@ -26,7 +26,7 @@ struct NearListStage {
     for (int range = 0; range < NearList<Case>::ranges; ++range) {
       if (range < Capacity<Case>::chunks)
         for_each_wall(s.contacts, [&](auto& walls) { walls.validity[range].used = 1; });
-      require(keep_listed<Case, W>(s.contacts, s.near_list, s.particles, s.kept, range, 1));  // a way of a metre
+      require(keep_listed<Case, W>(s.contacts, s.near_list, s.particles, s.before.kept, range, 1));  // a way of a metre
     }
     for (int chunk = 0; chunk < Capacity<Case>::chunks; ++chunk)
       require(list_slots(s.contacts, s.near_list, s.particles, s.scratch, chunk));
@@ -38,7 +38,7 @@ template <class Case>
 struct OrderStage {
   static constexpr Contacting contacting = Contacting::none;
   static void call(State<Case>& s) {
-    require(renew<Case, W>(s.contacts, s.near_list, s.particles, s.kept, s.scratch, s.step));
+    require(renew<Case, W>(s.contacts, s.near_list, s.particles, s.before.kept, s.scratch, s.step));
   }
 };
 
