@@ -12,6 +12,13 @@
 
 namespace fixdem {
 
+/// A particle as the user sees it.
+struct Particle {
+  double position[3];          ///< m; x horizontal, y up, z along the pipe
+  double velocity[3];          ///< m/s
+  double angular_velocity[3];  ///< rad/s
+};
+
 namespace detail {
 template <int Count, bool present>
 struct RowsOf4 {

@@ -18,13 +18,6 @@ namespace fixdem {
 /// A particle that travels further than this in one step, in radii, could pass through another one unseen.
 inline constexpr double maximum_travel_per_step = 0.5;
 
-/// A particle as the user sees it.
-struct Particle {
-  double position[3];          ///< m; x horizontal, y up, z along the pipe
-  double velocity[3];          ///< m/s
-  double angular_velocity[3];  ///< rad/s
-};
-
 /// Histories while contacts are listed again, or in the same place the particles as they have been placed, until the
 /// start.
 template <class Case>

@@ -169,9 +169,10 @@ TEST_CASE("fault: particles that have not been placed") {
   check_status(simulation.start(), {Fault::not_placed, 0, 0, 1});  // a second start needs them again
   CHECK(simulation.run(1).fault == Fault::not_placed);
 
-  for (int id : {0, 1, 3}) simulation.place(id, spheres[static_cast<std::size_t>(id)]);
+  const auto placed = [](int id) { return Particle{{0, 0, 0.02 + 0.04 * id}, {}, {}}; };
+  for (int id : {0, 1, 3}) simulation.place(id, placed(id));
   check_status(simulation.start(), {Fault::not_placed, 2, 0, 1});
-  simulation.place(2, spheres[2]);
+  simulation.place(2, placed(2));
   CHECK(simulation.start().ok());
   CHECK(simulation.run(3).ok());
 
