@@ -184,7 +184,7 @@ class PackedContacts {
                                                              k.tangential_stiffness > V{}, history, is_done);
     if (!is_done) return false;
     store_vector(batch.force, lane, f.force);
-    if constexpr (D::has_friction) {
+    if constexpr (D::has_rotation) {
       store_vector(batch.torque, lane, cross(n, f.force));
       store_vector(batch.new_history, lane, history.spring);
     }

@@ -25,6 +25,9 @@ enum class Slider { clip, paper, exact };
 enum class Damping { restitution, critical };
 /// Mass in eq. (26) between spheres: the reduced mass m/2 (restitution as asked), or m as the paper prints it.
 enum class DampingMass { reduced, particle };
+/// Limit of friction: mu times the whole normal force (eq. 9), or times its elastic part, which makes gross sliding
+/// take exactly Coulomb's impulse mu (1 + e) M v.
+enum class FrictionLimit { total, elastic };
 /// `open`: nothing at the ends, for scenes that never reach them (no wall, no neighbour); only in cases written by
 /// hand.
 enum class Ends { periodic, closed, open };
@@ -55,10 +58,32 @@ struct Derived {
   static constexpr double moment_of_inertia = 0.4 * mass * radius * radius;
   static constexpr double pipe_radius = Case::pipe_diameter / 2;
 
-  static constexpr bool has_friction = Case::friction > 0;  ///< without it: no rotation, no tangential history
   static constexpr bool has_ends = Case::ends == Ends::closed;
+  static constexpr bool has_walls = Case::has_wall || has_ends;
   static constexpr bool is_periodic = Case::ends == Ends::periodic;
   static constexpr bool is_hertz = Case::normal == NormalLaw::hertz;
+
+  // What a case may say of its walls; the particles' own where it says nothing.
+  static constexpr double wall_friction = [] {
+    if constexpr (requires { Case::wall_friction; })
+      return Case::wall_friction;
+    else
+      return Case::friction;
+  }();
+  static constexpr double wall_restitution = [] {
+    if constexpr (requires { Case::wall_restitution; })
+      return Case::wall_restitution;
+    else
+      return Case::restitution;
+  }();
+  static constexpr FrictionLimit friction_limit = [] {
+    if constexpr (requires { Case::friction_limit; })
+      return Case::friction_limit;
+    else
+      return FrictionLimit::total;
+  }();
+  /// Whether particles rotate. A kind of contact without friction has no tangential law and no history (ContactLaw).
+  static constexpr bool has_rotation = Case::friction > 0 || (has_walls && wall_friction > 0);
 
   static constexpr double shear_modulus = Case::youngs_modulus / (2 * (1 + Case::poisson_ratio));  // eq. (20)
 
@@ -79,23 +104,24 @@ struct Derived {
       is_hertz ? 8 * square_root(radius) * shear_modulus / (2 - Case::poisson_ratio) : Case::tangential_stiffness;
 
   /// -ln e / sqrt(pi^2 + ln^2 e): the damping ratio of a linear oscillator that returns the restitution e.
-  static constexpr double damping_ratio =
-      -logarithm(Case::restitution) /
-      square_root(pi * pi + logarithm(Case::restitution) * logarithm(Case::restitution));
-  static constexpr double alpha = 2.2360679774997897 * damping_ratio;  // closed form of eq. (30); sqrt(5)
+  static constexpr double damping_ratio(double e) {
+    return -logarithm(e) / square_root(pi * pi + logarithm(e) * logarithm(e));
+  }
 
   /// Mass in eq. (26) for a pair and for a wall.
   static constexpr double damping_mass_pair = Case::damping_mass == DampingMass::reduced ? mass / 2 : mass;
   static constexpr double damping_mass_wall = mass;
 
   /// Normal damping: eta = value * overlap^(1/4) with Hertz (eq. 26); kg/s, constant, with the linear law.
-  static constexpr double damping(double stiffness, double damping_mass) {
+  static constexpr double damping(double stiffness, double damping_mass, double restitution) {
+    const double ratio = damping_ratio(restitution);
+    const double alpha = 2.2360679774997897 * ratio;  // closed form of eq. (30); sqrt(5)
     if (is_hertz) return alpha * square_root(damping_mass * stiffness);
     if (Case::damping == Damping::critical) return 2 * square_root(mass * stiffness);  // eq. (23)
-    return 2 * damping_ratio * square_root(damping_mass * stiffness);
+    return 2 * ratio * square_root(damping_mass * stiffness);
   }
-  static constexpr double damping_pair = damping(stiffness_pair, damping_mass_pair);
-  static constexpr double damping_wall = damping(stiffness_wall, damping_mass_wall);
+  static constexpr double damping_pair = damping(stiffness_pair, damping_mass_pair, Case::restitution);
+  static constexpr double damping_wall = damping(stiffness_wall, damping_mass_wall, wall_restitution);
 
   /// Tangential damping: equal to the normal one (eq. 31), or critical with k_t (eq. 23).
   static constexpr double tangential_damping_pair =
@@ -254,6 +280,19 @@ struct Checked {
   static_assert(Case::restitution > 0 && Case::restitution <= 1,
                 "fixdem: [material] restitution must be above 0 and at most 1");
   static_assert(Case::friction >= 0, "fixdem: [material] friction must not be negative");
+  static_assert(Derived<Case>::wall_restitution > 0 && Derived<Case>::wall_restitution <= 1,
+                "fixdem: [material] wall_restitution must be above 0 and at most 1");
+  static_assert(Derived<Case>::wall_friction >= 0, "fixdem: [material] wall_friction must not be negative");
+  static_assert(Derived<Case>::has_walls || (Derived<Case>::wall_friction == Case::friction &&
+                                             Derived<Case>::wall_restitution == Case::restitution),
+                "fixdem: [material] wall_friction and wall_restitution need a wall: set [pipe] wall = true or ends = "
+                "\"closed\", or remove them");
+  static_assert(Derived<Case>::friction_limit == FrictionLimit::total || Derived<Case>::has_rotation,
+                "fixdem: friction_limit = \"elastic\" needs [material] friction above 0");
+  static_assert(
+      Derived<Case>::friction_limit == FrictionLimit::total || Case::slider != Slider::paper,
+      "fixdem: friction_limit = \"elastic\" needs slider = \"clip\" or \"exact\": eqs. (10)-(12) to the letter use "
+      "the whole force");
   static_assert(Capacity<Case>::chunk_size <= largest_chunk,
                 "fixdem: a slice of the pipe holds too many particles: lower [pipe] diameter or [particles] count");
   static_assert(Case::normal != NormalLaw::hertz || (Case::poisson_ratio >= 0 && Case::poisson_ratio <= 0.5),

@@ -24,6 +24,8 @@ namespace fixdem {
 template <class Case, bool is_wall>
 struct ContactLaw {
   using D = Derived<Case>;
+  static constexpr double friction = is_wall ? D::wall_friction : Case::friction;
+  static constexpr bool has_friction = friction > 0;
   static constexpr double scale = Case::time_step / D::mass;
   static constexpr double bodies = is_wall ? 1 : 2;       ///< that the force moves
   static constexpr double bodies_of_slip = 3.5 * bodies;  ///< a tangential force changes the spin, too: 1 + r^2 m / I
@@ -37,22 +39,22 @@ struct ContactLaw {
   /// Numbers kept per contact and lane, and their places. With friction: the vector of the spring; with `impulse` that
   /// of the last surface velocity; with `rescale` or an energy ledger the last k_t; with `exact` the last limit of the
   /// spring. With `impulse`, friction or not, the last value of the damping's state function.
-  static constexpr int history_vectors = !D::has_friction ? 0 : (takes_impulses<Case> ? 2 : 1);
+  static constexpr int history_vectors = !has_friction ? 0 : (takes_impulses<Case> ? 2 : 1);
   static constexpr int state_function_place = 3 * history_vectors;
   static constexpr int stiffness_place = state_function_place + (takes_impulses<Case> ? 1 : 0);
   static constexpr int limit_place =
-      stiffness_place +
-      (D::has_friction && (Case::tangential == TangentialLaw::rescale || Case::energy_ledger) ? 1 : 0);
-  static constexpr int history_size = limit_place + (D::has_friction && Case::slider == Slider::exact ? 1 : 0);
+      stiffness_place + (has_friction && (Case::tangential == TangentialLaw::rescale || Case::energy_ledger) ? 1 : 0);
+  static constexpr int history_size = limit_place + (has_friction && Case::slider == Slider::exact ? 1 : 0);
 };
 
 template <class Case>
-inline constexpr bool keeps_history = ContactLaw<Case, false>::history_size > 0;
+inline constexpr bool keeps_history = ContactLaw<Case, false>::history_size > 0 ||
+                                      (Derived<Case>::has_walls && ContactLaw<Case, true>::history_size > 0);
 
 /// Whether a contact that has opened is computed once more: for the rest of its impulse, or to book what its spring
 /// held.
 template <class Case>
-inline constexpr bool looks_back = takes_impulses<Case> || (Case::energy_ledger && Derived<Case>::has_friction);
+inline constexpr bool looks_back = takes_impulses<Case> || (Case::energy_ledger && Derived<Case>::has_rotation);
 
 /// What a contact remembers.
 template <class V>
@@ -164,14 +166,21 @@ FIXDEM_INLINE ContactStep<V> slider(const TangentialSpring<V>& s, const Vec3<V>&
   return t;
 }
 
+/// Coulomb's limit.
+template <class Law, class Case, class V>
+FIXDEM_INLINE V friction_limit(V normal_force, V elastic_force) {
+  constexpr bool is_elastic = Derived<Case>::friction_limit == FrictionLimit::elastic;
+  return constant<V>(Law::friction) * (is_elastic ? elastic_force : abs(normal_force));
+}
+
 /// A contact step with the lanes replaced that slide. `stuck`: of all lanes as if they stuck; `normal_power`: of the
 /// normal damping, for the ledger.
 template <class Law, class Case, class V, class Normal, class Mask>
 FIXDEM_INLINE ContactStep<V> slide(ContactStep<V> stuck, Mask slides, const TangentialSpring<V>& s, const Slip<V>& slip,
-                                   const Normal& n, V normal_force, V normal_power, V last_limit,
+                                   const Normal& n, V normal_force, V elastic_force, V normal_power, V last_limit,
                                    const Vec3<V>& last_force) {
-  const ContactStep<V> slid =
-      slider<Law, Case>(s, stuck.spring, slip, constant<V>(Case::friction) * abs(normal_force), last_limit, last_force);
+  const ContactStep<V> slid = slider<Law, Case>(
+      s, stuck.spring, slip, friction_limit<Law, Case>(normal_force, elastic_force), last_limit, last_force);
   stuck.force = select(slides, subtract_scaled(slid.force, normal_force, n), stuck.force);
   stuck.spring = select(slides, slid.spring, stuck.spring);
   if constexpr (Case::slider == Slider::exact) stuck.last_limit = where(slides, slid.last_limit);
@@ -222,10 +231,15 @@ FIXDEM_INLINE Vec3<V> stuck_spring(const TangentialSpring<V>& s, V gain, const V
 }
 
 /// Above zero where the whole force, or the spring alone, is beyond Coulomb's bound; the sign of a difference is exact.
-template <class Case, class V>
-FIXDEM_INLINE V excess_over_friction(const Vec3<V>& force, V to_force, const Vec3<V>& spring, V normal_force) {
-  constexpr double mu_square = Case::friction * Case::friction;
+template <class Law, class Case, class V>
+FIXDEM_INLINE V excess_over_friction(const Vec3<V>& force, V to_force, const Vec3<V>& spring, V normal_force,
+                                     [[maybe_unused]] V elastic_force) {
+  constexpr double mu_square = Law::friction * Law::friction;
   const V normal_square = normal_force * normal_force;
+  if constexpr (Derived<Case>::friction_limit == FrictionLimit::elastic) {
+    const V limit_square = constant<V>(mu_square) * elastic_force * elastic_force;
+    return max(dot(force, force) - normal_square, to_force * to_force * dot(spring, spring)) - limit_square;
+  }
   return max(dot(force, force) - constant<V>(1 + mu_square) * normal_square,
              to_force * to_force * dot(spring, spring) - constant<V>(mu_square) * normal_square);
 }
@@ -267,7 +281,7 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
   // In the middle of the step, as far as this contact changes it.
   [[maybe_unused]] const V mean_velocity = fused_minus(splat<V>(Law::bodies / 2), normal_force, normal_velocity);
   [[maybe_unused]] const V normal_power = k.damping * damped_velocity * mean_velocity;
-  if constexpr (!Derived<Case>::has_friction) {
+  if constexpr (!Law::has_friction) {
     return {scale(-normal_force, n), normal_power};
   } else {
     [[maybe_unused]] const LastSpring<V> before =
@@ -275,12 +289,12 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
     const TangentialSpring<V> s = tangential_spring<Law, Case>(k, touching, history);
     ContactStep<V> step =
         stick<Law, Case, mode>(k, s, n, u, normal_velocity, normal_force, normal_power, history.spring);
-    const V excess = excess_over_friction<Case>(step.force, s.to_force, step.spring, normal_force);
+    const V excess = excess_over_friction<Law, Case>(step.force, s.to_force, step.spring, normal_force, k.repulsion);
     if constexpr (mode == SlidingLanes::reported) {
       is_done = !any_below(V{}, excess);
     } else if (any_below(V{}, excess)) {  // forces without overlap are zero, and exceed nothing
       const Vec3<V> slip = subtract_scaled(u, normal_velocity, n);
-      step = slide<Law, Case>(step, excess > V{}, s, {slip, slip, slip}, n, normal_force, normal_power,
+      step = slide<Law, Case>(step, excess > V{}, s, {slip, slip, slip}, n, normal_force, k.repulsion, normal_power,
                               history.last_limit, before.force);
     }
     V law_work{};

@@ -135,9 +135,9 @@ void dense_contacts(const Side side, Batches& batches, int first, int count, boo
     return detail::InPlace<Case, W>{history + k / lanes * size, k % lanes, count - k, rows + k * width, &energy};
   };
   const auto *owner = batches.owner[first], *partner = detail::partners_of(batches, first);
-  if (are_still || !Derived<Case>::has_friction)
+  if (are_still || !Side::Law::has_friction)
     detail::all_contacts<Case, W, SlidingLanes::reported>(side, owner, partner, count, place, overlap);
-  else if constexpr (Derived<Case>::has_friction)
+  else if constexpr (Side::Law::has_friction)
     detail::all_contacts<Case, W, SlidingLanes::computed>(side, owner, partner, count, place, overlap);
   overlap.put_back(monitor.overlap);
   energy.put_back(monitor);

@@ -156,7 +156,6 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>
                                 const Offset* partner, const Motion<Lanes<W, Real<Case>>>& motion, const Place& place) {
   using V = Lanes<W, Real<Case>>;
   using Law = typename Side::Law;
-  constexpr bool has_friction = Derived<Case>::has_friction;
   std::conditional_t<Side::is_flat, Vec2<V>, Vec3<V>> n{};
   n.x = load<V>(g.normal[0]), n.y = load<V>(g.normal[1]);
   if constexpr (!Side::is_flat) n.z = load<V>(g.normal[2]);
@@ -164,7 +163,7 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>
   const V normal_velocity = dot(motion.velocity, n);
   History<V> history = loaded_history<Law, Case, V>(place);
   Vec3<V> surface_velocity = motion.velocity;
-  if constexpr (has_friction) surface_velocity = add_cross(motion.velocity, motion.spin, n);
+  if constexpr (Law::has_friction) surface_velocity = add_cross(motion.velocity, motion.spin, n);
 
   bool is_done = false;
   ContactForce<V> f;
@@ -185,8 +184,9 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>
 
   store_history<Law, Case>(place, history);
   using RowStore = RowLanes<W, Real<Case>>;
-  if constexpr (has_friction) {
-    const Vec3<V> torque = cross(n, f.force);  // eq. (14); scaled by r in motion.hpp
+  if constexpr (Derived<Case>::has_rotation) {
+    Vec3<V> torque{};
+    if constexpr (Law::has_friction) torque = cross(n, f.force);  // eq. (14); scaled by r in motion.hpp
     RowStore::store_rows(place.row, padded(f.force), padded(torque));
   } else {
     RowStore::store_rows(place.row, padded(f.force));

@@ -96,7 +96,8 @@ struct Rows {
 template <class Case>
 struct PairBatches {
   using Cap = Capacity<Case>;
-  static constexpr int history_size = ContactLaw<Case, false>::history_size;
+  using Law = ContactLaw<Case, false>;
+  static constexpr int history_size = Law::history_size;
   static constexpr int ranges = Cap::chunks + (Derived<Case>::is_periodic ? 1 : 0);
   static constexpr int batches_per_range = Cap::chunk_pairs / Cap::batch;
   static constexpr int batches =
@@ -140,7 +141,8 @@ struct WallBatches {
   using Surface = WallSurface;
   using Cap = Capacity<Case>;
   static constexpr Surface surface{};
-  static constexpr int history_size = ContactLaw<Case, true>::history_size;
+  using Law = ContactLaw<Case, true>;
+  static constexpr int history_size = Law::history_size;
   static constexpr int batches_per_chunk = Cap::chunk_size / Cap::batch;
   static constexpr int batches = Cap::chunks * batches_per_chunk;
   /// First batch of a chunk.

@@ -53,7 +53,7 @@ class Simulation {
       double* v = s_.particles.motion[i];
       for (int c = 0; c < 4; ++c) x[c] = c < 3 ? from.position[c] : 0;
       for (int c = 0; c < 4; ++c) v[c] = c < 3 ? from.velocity[c] : 0;
-      if constexpr (D::has_friction)
+      if constexpr (D::has_rotation)
         for (int c = 0; c < 4; ++c) v[4 + c] = c < 3 ? D::radius * from.angular_velocity[c] : 0;
       if constexpr (holds_positions_ahead<Case>)
         for (int c = 0; c < 4; ++c) x[c] += 0.5 * Case::time_step * v[c];
@@ -76,12 +76,15 @@ class Simulation {
   /// in Contact. Contacts that are not near are ignored: they have no history. With impulses it is that of the time of
   /// the start; otherwise that of the last force before it.
   void restore_history(int owner, int partner, const double (&history)[3]) {
-    if constexpr (D::has_friction) {
+    if constexpr (D::has_rotation) {
       s_.histories_given_at = s_.step;
       constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::mass;
       const auto set = [&](auto& batches, int range, int k, double sign) {
-        for (int c = 0; c < 3; ++c) batches.history_of(range, k)[c] = static_cast<Real<Case>>(sign * unit * history[c]);
-        batches.note_history(range, k);
+        if constexpr (std::remove_reference_t<decltype(batches)>::Law::history_vectors > 0) {
+          const auto numbers = batches.history_of(range, k);
+          for (int c = 0; c < 3; ++c) numbers[c] = static_cast<Real<Case>>(sign * unit * history[c]);
+          batches.note_history(range, k);
+        }
       };
       if (partner >= 0) {
         const int i = row_of(owner), j = row_of(partner);
@@ -124,7 +127,7 @@ class Simulation {
     if constexpr (holds_positions_ahead<Case>)
       for (int c = 0; c < 3; ++c) p.position[c] -= 0.5 * Case::time_step * v[c];
     if constexpr (D::is_periodic) p.position[2] -= turns(p.position[2]) * Case::pipe_length;
-    if constexpr (D::has_friction)
+    if constexpr (D::has_rotation)
       for (int c = 0; c < 3; ++c) p.angular_velocity[c] = v[4 + c] / D::radius;
     return p;
   }
@@ -249,7 +252,8 @@ class Simulation {
   void mark_contacts_as_found() {
     const auto mark = [](auto& batches) {
       return [&batches](int range, int k, int, int = 0) {
-        batches.history_of(range, k)[ContactLaw<Case, false>::state_function_place] = found_at_start;
+        constexpr int place = std::remove_reference_t<decltype(batches)>::Law::state_function_place;
+        batches.history_of(range, k)[place] = found_at_start;
         batches.note_history(range, k);
       };
     };

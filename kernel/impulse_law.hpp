@@ -122,7 +122,7 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
       normal_impulse<Law, Case, mode>(at, normal_velocity, history.state_function, pressed, touching, is_done);
   [[maybe_unused]] const V normal_power = p.damping * fused_minus(splat<V>(Law::bodies / 2), p.total, normal_velocity);
   history.state_function = p.state_function;
-  if constexpr (!Derived<Case>::has_friction) {
+  if constexpr (!Law::has_friction) {
     return {scale(-p.total, n), normal_power};
   } else {
     V stiffness = where(pressed, splat<V>(Law::tangential_stiffness));
@@ -150,13 +150,16 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
       step.damping_power = fused(s.damping, dot(damped, mean), normal_power);
     }
 
-    const V excess = where(touching, excess_over_friction<Case>(step.force, s.to_force, step.spring, p.total));
+    const V elastic = p.total - p.damping;
+    const V excess =
+        where(touching, excess_over_friction<Law, Case>(step.force, s.to_force, step.spring, p.total, elastic));
     if constexpr (mode == SlidingLanes::reported) {
       is_done = is_done & !any_below(V{}, excess);
     } else if (any_below(V{}, excess)) {
       const Vec3<V> present = subtract_scaled(u, normal_velocity, n);
       const Slip<V> slip = {scale(p.share_of_step, present), subtract_scaled(middle, middle_normal, n), present};
-      step = slide<Law, Case>(step, excess > V{}, s, slip, n, p.total, normal_power, history.last_limit, before.force);
+      step = slide<Law, Case>(step, excess > V{}, s, slip, n, p.total, elastic, normal_power, history.last_limit,
+                              before.force);
       if constexpr (Case::energy_ledger) step.sliding_work = where(pressed, step.sliding_work);
     }
     V law_work{};

@@ -22,6 +22,7 @@ class KeptHistory {
 
   void keep(int owner, int partner, const HistoryNumbers<const Real<Case>>& numbers) {
     bool is_zero = true;
+    const int size = size_of(partner);
     for (int c = 0; c < size; ++c) is_zero = is_zero && numbers[c] == 0;
     if (is_zero) return;
     if (entries_ == Capacity<Case>::histories) {
@@ -38,7 +39,7 @@ class KeptHistory {
   bool restore(int owner, int partner, const HistoryNumbers<Real<Case>>& numbers) const {
     if (copy(owner, partner, 1, numbers)) return true;
     if (partner >= 0 && copy(partner, owner, -1, numbers)) return true;
-    for (int c = 0; c < size; ++c) numbers[c] = 0;
+    for (int c = 0; c < size_of(partner); ++c) numbers[c] = 0;
     return false;
   }
 
@@ -62,13 +63,14 @@ class KeptHistory {
   }
 
  private:
-  static constexpr int size = ContactLaw<Case, false>::history_size;
+  static constexpr int of_pair = ContactLaw<Case, false>::history_size, of_wall = ContactLaw<Case, true>::history_size;
   static constexpr int vectors = 3 * ContactLaw<Case, false>::history_vectors;  ///< numbers that change sign
+  static constexpr int size_of(int partner) { return partner >= 0 ? of_pair : of_wall; }
 
   bool copy(int owner, int partner, Real<Case> sign, const HistoryNumbers<Real<Case>>& numbers) const {
     for (int k = newest_[owner]; k >= 0; k = entry_[k].older) {
       if (entry_[k].partner != partner) continue;
-      for (int c = 0; c < size; ++c) numbers[c] = (c < vectors ? sign : Real<Case>{1}) * entry_[k].value[c];
+      for (int c = 0; c < size_of(partner); ++c) numbers[c] = (c < vectors ? sign : Real<Case>{1}) * entry_[k].value[c];
       return true;
     }
     return false;
@@ -76,7 +78,7 @@ class KeptHistory {
 
   struct Entry {
     int partner, older;  ///< of the same owner; its oldest entry has -1 - owner there
-    Real<Case> value[size];
+    Real<Case> value[of_pair > of_wall ? of_pair : of_wall];
   };
   Entry entry_[Capacity<Case>::histories];
   int newest_[Case::particle_count];
@@ -131,14 +133,14 @@ void for_each_near_wall(const Walls& walls, F&& f) {
 /// Keeps the histories of a range of pairs, or of the walls of one kind of a chunk.
 template <class Case>
 void keep_pair_histories(const Contacts<Case>& contacts, const Particles<Case>& p, KeptHistory<Case>& kept, int range) {
-  if constexpr (keeps_history<Case>)
+  if constexpr (PairBatches<Case>::history_size > 0)
     for_each_near_pair_in(contacts, range, [&](int, int k, int owner, int partner) {
       kept.keep(p.id[owner], p.id[partner], contacts.pairs.history_of(range, k));
     });
 }
 template <class Case, class Walls>
 void keep_wall_histories(const Walls& walls, const Particles<Case>& p, KeptHistory<Case>& kept, int chunk) {
-  if constexpr (keeps_history<Case>)
+  if constexpr (Walls::history_size > 0)
     for_each_near_wall_in<Case>(walls, chunk, [&](int, int k, int owner) {
       kept.keep(p.id[owner], Walls::Surface::kept_as, walls.history_of(chunk, k));
     });

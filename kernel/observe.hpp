@@ -63,7 +63,7 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
   c.normal_force = to_newton * fused(k.damping, normal_velocity, k.repulsion);
   constexpr double share = Derived<Case>::is_hertz ? 0.4 : 0.5;  // 2/5 K overlap^(5/2), or K overlap^2 / 2
   seen.elastic = to_newton * share * k.repulsion * overlap;
-  if constexpr (Derived<Case>::has_friction) {
+  if constexpr (Law::has_friction) {
     constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
     const Vec3<double> spring = {kept[0], kept[1], kept[2]};
     const double to_force = keeps_displacement ? k.tangential_stiffness : 1;
@@ -71,7 +71,7 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
     double eta = k.damping;
     if constexpr (Law::tangential_damping != Law::damping) eta *= Law::tangential_damping / Law::damping;
     Vec3<double> force = add_scaled(scale(-eta, slip), -to_force, spring);
-    force = capped(force, dot(force, force), Case::friction / to_newton * abs(c.normal_force));
+    force = capped(force, dot(force, force), friction_limit<Law, Case>(c.normal_force / to_newton, k.repulsion));
     c.tangential_force[0] = to_newton * force.x;
     c.tangential_force[1] = to_newton * force.y;
     c.tangential_force[2] = to_newton * force.z;
@@ -92,7 +92,7 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
 template <class Case>
 Motion<double> motion_of(const Particles<Case>& p, int i) {
   Motion<double> m{{p.motion[i][0], p.motion[i][1], p.motion[i][2]}, {}};
-  if constexpr (Derived<Case>::has_friction) m.spin = {p.motion[i][4], p.motion[i][5], p.motion[i][6]};
+  if constexpr (Derived<Case>::has_rotation) m.spin = {p.motion[i][4], p.motion[i][5], p.motion[i][6]};
   return m;
 }
 

@@ -39,7 +39,7 @@ template <class Case>
 struct Particles {
   using D = Derived<Case>;
   static constexpr int count = Case::particle_count;
-  static constexpr int motion_width = D::has_friction ? 8 : 4;
+  static constexpr int motion_width = D::has_rotation ? 8 : 4;
   static constexpr bool predicts = Case::integrator == Integrator::leapfrog;
 
   alignas(64) double position[count][4];

@@ -84,7 +84,7 @@ void prefetch_chunk(const State<Case>& s, int chunk) {
     const int first = kind.first(range), count = batches_for<Case>(kind.count[range]);
     prefetch(kind.owner + first, count);
     if constexpr (requires { kind.partner; }) prefetch(kind.partner + first, count);
-    if constexpr (keeps_history<Case>)
+    if constexpr (std::remove_cvref_t<decltype(kind)>::history_size > 0)
       prefetch(kind.history_of(range, 0).first, count * Capacity<Case>::batch * kind.history.row_width);
   };
   batches(s.contacts.pairs, chunk);

@@ -49,7 +49,7 @@ struct WallSide {
   }
   template <int W, class Offset>
   FIXDEM_INLINE Motion<Lanes<W, R>> motion(const Offset* owner, const Offset*) const {
-    if constexpr (Derived<Case>::has_friction)
+    if constexpr (Derived<Case>::has_rotation)
       return load_motion<W>(owner_motion, owner);
     else
       return {load_vectors<W>(owner_motion, owner), Vec3<Lanes<W, R>>{}};

@@ -77,7 +77,13 @@ Events check_agreement(const HandOver& state, const char* what, double tolerance
     }
     before = now;
     slow.for_each_contact([&](const auto& c) {
-      const bool slides = length(c.tangential_force) > Case::friction * std::abs(c.normal_force) * (1 - 1e-9);
+      using D = Derived<Case>;
+      double pressing = std::abs(c.normal_force);
+      if (D::friction_limit == FrictionLimit::elastic)
+        pressing =
+            (c.partner >= 0 ? D::stiffness_pair : D::stiffness_wall) * std::pow(c.overlap, D::is_hertz ? 1.5 : 1);
+      const double mu = c.partner >= 0 ? Case::friction : D::wall_friction;
+      const bool slides = length(c.tangential_force) > mu * pressing * (1 - 1e-9);
       (slides ? events.sliding : events.sticking) += 1;
     });
   }

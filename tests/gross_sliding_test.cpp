@@ -9,6 +9,15 @@ struct sliding_impact : impact_scene {
   static constexpr double restitution = 0.1 * tenths, friction = 0.01;
 };
 
+template <int tenths>
+struct elastic_sliding : sliding_impact<tenths> {
+  static constexpr FrictionLimit friction_limit = FrictionLimit::elastic;
+};
+struct elastic_impulse : elastic_sliding<2> {
+  static constexpr Integrator integrator = Integrator::impulse;
+  static constexpr Slider slider = Slider::exact;
+};
+
 /// Change of tangential velocity at the wall over mu (1 + e) v, which it would be if friction acted under repulsion
 /// only.
 template <class Case>
@@ -31,6 +40,13 @@ TEST_CASE("gross sliding: the cap mu |f_n| also acts while f_n attracts at the e
   // Integral of |f_n| over that of f_n for m x'' + eta x^(1/4) x' + K x^(3/2) = 0, by a Runge-Kutta program.
   CHECK(share_of_coulomb<sliding_impact<5>>() == doctest::Approx(1.06704).epsilon(1e-3));
   CHECK(share_of_coulomb<sliding_impact<9>>() == doctest::Approx(1.00213).epsilon(2e-4));
+}
+
+TEST_CASE("gross sliding: limited by the elastic force it takes Coulomb's impulse, whatever the restitution") {
+  CHECK(share_of_coulomb<elastic_sliding<2>>() == doctest::Approx(1).epsilon(5e-4));
+  CHECK(share_of_coulomb<elastic_sliding<5>>() == doctest::Approx(1).epsilon(3e-4));
+  CHECK(share_of_coulomb<elastic_sliding<9>>() == doctest::Approx(1).epsilon(1e-4));
+  CHECK(share_of_coulomb<elastic_impulse>() == doctest::Approx(1).epsilon(1e-6));
 }
 
 }  // namespace

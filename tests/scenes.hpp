@@ -28,7 +28,7 @@ void agitate(Spheres& spheres, double speed, Random& random) {
     for (int k = 0; k < 3; ++k) {
       s.velocity[k] = random(-speed, speed);
       const double spin = random(-speed, speed) / (Case::diameter / 2);
-      s.angular_velocity[k] = Case::friction > 0 ? spin : 0;
+      s.angular_velocity[k] = Derived<Case>::has_rotation ? spin : 0;
     }
   }
 }

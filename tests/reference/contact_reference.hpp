@@ -27,7 +27,24 @@ struct Coefficients {
   Scalar tangential_stiffness;
   Scalar normal_damping;
   Scalar tangential_damping;
+  Scalar friction = 0;  ///< Coulomb's coefficient
 };
+
+/// Friction and restitution at walls: the particles' own in a case that does not name them.
+template <class Case>
+double wall_friction() {
+  if constexpr (requires { Case::wall_friction; })
+    return Case::wall_friction;
+  else
+    return Case::friction;
+}
+template <class Case>
+double wall_restitution() {
+  if constexpr (requires { Case::wall_restitution; })
+    return Case::wall_restitution;
+  else
+    return Case::restitution;
+}
 
 template <class Scalar>
 struct SphereProperties {
@@ -51,51 +68,54 @@ Scalar damping_constant(Scalar e) {
   return -std::sqrt(Scalar(5)) * std::log(e) / std::sqrt(pi * pi + std::log(e) * std::log(e));
 }
 
-/// Eqs. (23), (26) and (31) for a normal stiffness K and a tangential one; `effective_mass` is M of eq. (26).
+/// Eqs. (23), (26) and (31) for a normal stiffness K and a tangential one; `effective_mass` is M of eq. (26), e the
+/// restitution, mu the friction.
 template <class Case, class Scalar>
-Coefficients<Scalar> with_damping(Scalar K, Scalar k_t, Scalar effective_mass) {
-  const Scalar alpha = damping_constant<Scalar>(Case::restitution);
+Coefficients<Scalar> with_damping(Scalar K, Scalar k_t, Scalar effective_mass, Scalar e, Scalar mu) {
+  const Scalar alpha = damping_constant<Scalar>(e);
   if (Case::normal == NormalLaw::hertz) {
     const Scalar eta = alpha * std::sqrt(effective_mass * K);
-    return {K, k_t, eta, eta};
+    return {K, k_t, eta, eta, mu};
   }
   if (Case::damping == Damping::critical) {
     const Scalar m = sphere_properties<Case, Scalar>().mass;
-    return {K, k_t, 2 * std::sqrt(m * K), 2 * std::sqrt(m * k_t)};
+    return {K, k_t, 2 * std::sqrt(m * K), 2 * std::sqrt(m * k_t), mu};
   }
   const Scalar beta = alpha / std::sqrt(Scalar(5));
   const Scalar eta = 2 * beta * std::sqrt(effective_mass * K);
-  return {K, k_t, eta, eta};
+  return {K, k_t, eta, eta, mu};
 }
 
 /// Eqs. (16) and (21), (20).
 template <class Case, class Scalar>
 Coefficients<Scalar> pair_coefficients() {
+  const Scalar e = Case::restitution, mu = Case::friction;
   const auto sphere = sphere_properties<Case, Scalar>();
   const Scalar M = Case::damping_mass == DampingMass::reduced ? sphere.mass / 2 : sphere.mass;
   if (Case::normal == NormalLaw::linear) {
-    return with_damping<Case, Scalar>(Case::normal_stiffness, Case::tangential_stiffness, M);
+    return with_damping<Case, Scalar>(Case::normal_stiffness, Case::tangential_stiffness, M, e, mu);
   }
   const Scalar E = Case::youngs_modulus, nu = Case::poisson_ratio, r = sphere.radius;
   const Scalar G = E / (2 * (1 + nu));
   const Scalar K = std::sqrt(2 * r) * E / (3 * (1 - nu * nu));
   const Scalar k_t = 2 * std::sqrt(2 * r) * G / (2 - nu);
-  return with_damping<Case, Scalar>(K, k_t, M);
+  return with_damping<Case, Scalar>(K, k_t, M, e, mu);
 }
 
 /// Eqs. (17) and (22), (20). A wall of infinite modulus is rigid.
 template <class Case, class Scalar>
 Coefficients<Scalar> wall_coefficients() {
+  const Scalar e = wall_restitution<Case>(), mu = wall_friction<Case>();
   const auto sphere = sphere_properties<Case, Scalar>();
   if (Case::normal == NormalLaw::linear) {
-    return with_damping<Case, Scalar>(Case::normal_stiffness, Case::tangential_stiffness, sphere.mass);
+    return with_damping<Case, Scalar>(Case::normal_stiffness, Case::tangential_stiffness, sphere.mass, e, mu);
   }
   const Scalar E = Case::youngs_modulus, nu = Case::poisson_ratio, r = sphere.radius;
   const Scalar E_w = Case::wall_youngs_modulus, nu_w = Case::wall_poisson_ratio;
   const Scalar G = E / (2 * (1 + nu));
   const Scalar K = 4 * std::sqrt(r) / 3 / ((1 - nu * nu) / E + (1 - nu_w * nu_w) / E_w);
   const Scalar k_t = 8 * std::sqrt(r) * G / (2 - nu);
-  return with_damping<Case, Scalar>(K, k_t, sphere.mass);
+  return with_damping<Case, Scalar>(K, k_t, sphere.mass, e, mu);
 }
 
 /// What a contact remembers from step to step, seen from i. `history` is the tangential displacement (m) in the
@@ -172,10 +192,18 @@ Vector<Scalar> turned_into_plane(const Vector<Scalar>& h, const Vector<Scalar>& 
   return projected * (h.norm() / length);
 }
 
+/// Coulomb's limit: of the whole normal force, or of its elastic part.
+template <class Case, class Scalar>
+Scalar friction_limit(const Coefficients<Scalar>& c, Scalar normal_force, Scalar elastic_force) {
+  if constexpr (requires { Case::friction_limit; })
+    if (Case::friction_limit == FrictionLimit::elastic) return c.friction * elastic_force;
+  return c.friction * std::abs(normal_force);
+}
+
 /// Eqs. (6)-(12) and (14) for one contact during one step; advances its memory.
 template <class Case, class Scalar>
 ContactForce<Scalar> contact_force(const Coefficients<Scalar>& c, const Encounter<Scalar>& at, Memory<Scalar>& memory) {
-  const Scalar dt = Case::time_step, mu = Case::friction, r = Scalar(Case::diameter) / 2;
+  const Scalar dt = Case::time_step, r = Scalar(Case::diameter) / 2;
   const bool hertz = Case::normal == NormalLaw::hertz;
   const Scalar root = std::sqrt(at.overlap);
   const Scalar k_t = hertz ? c.tangential_stiffness * root : c.tangential_stiffness;
@@ -188,7 +216,7 @@ ContactForce<Scalar> contact_force(const Coefficients<Scalar>& c, const Encounte
   out.normal_force = -spring - eta_n * at.predicted_normal_velocity;  // eqs. (6), (18)
   out.elastic_energy = spring * at.overlap * (hertz ? Scalar(2) / 5 : Scalar(1) / 2);
   out.damping_loss = eta_n * at.predicted_normal_velocity * mean_normal_velocity<Case>(at, out.normal_force) * dt;
-  if (Case::friction == 0) return out;
+  if (c.friction == 0) return out;
 
   const Vector<Scalar> slip = at.relative_velocity - v_n * at.n + r * at.spin_sum.cross(at.n);  // eq. (8)
   const Vector<Scalar> kept = turned_into_plane(memory.history, at.n);
@@ -203,7 +231,7 @@ ContactForce<Scalar> contact_force(const Coefficients<Scalar>& c, const Encounte
   Vector<Scalar> s = before + k_t * slip * dt;
   const Vector<Scalar> trial_spring = s;
 
-  const Scalar limit = mu * std::abs(out.normal_force);
+  const Scalar limit = friction_limit<Case>(c, out.normal_force, spring);
   Vector<Scalar> f_t;
   if (Case::slider != Slider::paper) {
     const Scalar unit = Case::tangential == TangentialLaw::displacement ? k_t : Scalar(1);  // N per unit of history

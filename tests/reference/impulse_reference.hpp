@@ -39,7 +39,7 @@ template <class Case, class Scalar>
 ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encounter<Scalar>& at,
                                      Memory<Scalar>& memory) {
   const int bodies = at.bodies;
-  const Scalar dt = Case::time_step, half = dt / 2, mu = Case::friction;
+  const Scalar dt = Case::time_step, half = dt / 2;
   const auto sphere = sphere_properties<Case, Scalar>();
   const Scalar M = sphere.mass / bodies, d = at.overlap, v = at.relative_velocity.dot(at.n);
   const bool hertz = Case::normal == NormalLaw::hertz, pressed = d > 0;
@@ -69,7 +69,7 @@ ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encoun
   out.normal_force = -c.normal_stiffness * time_mean(elastic_power, after) - damping;
   out.elastic_energy = spring * d / (elastic_power + 1);
   out.damping_loss = damping * mean_normal_velocity<Case>(at, out.normal_force) * dt;
-  if (Case::friction == 0) return out;
+  if (c.friction == 0) return out;
 
   Scalar k_t = !pressed ? 0 : hertz ? c.tangential_stiffness * std::sqrt(d) : c.tangential_stiffness;
   const Scalar x = std::min(std::sqrt(Scalar(3.5L) * bodies * k_t / sphere.mass) * half, Scalar(1));
@@ -88,7 +88,7 @@ ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encoun
   const Scalar to_force = keeps_displacement ? k_t : Scalar(1), per_slip = keeps_displacement ? Scalar(1) : k_t;
   Vector<Scalar> kept = turned_into_plane(memory.history, at.n);
   if (Case::tangential == TangentialLaw::rescale && k_t < memory.stiffness) kept *= k_t / memory.stiffness;
-  const Scalar limit = mu * std::abs(out.normal_force);
+  const Scalar limit = friction_limit<Case>(c, out.normal_force, -out.normal_force - damping);
   const Scalar last_k_t = memory.stiffness > 0 ? memory.stiffness : k_t;
   const Vector<Scalar> unrescaled = turned_into_plane(memory.history, at.n);
   const Vector<Scalar> last_s = keeps_displacement ? Vector<Scalar>(last_k_t * unrescaled) : unrescaled;

@@ -34,10 +34,13 @@ struct CaseValues {
   double friction = 0;
   double wall_youngs_modulus = 0;  // Pa; infinity is a rigid wall
   double wall_poisson_ratio = 0;
+  double wall_friction = 0;
+  double wall_restitution = 0;
 
   std::string normal = "hertz";
   std::string tangential = "displacement";
   std::string slider = "clip";
+  std::string friction_limit = "total";
   std::string damping_mass = "reduced";
   std::string damping = "restitution";
   double normal_stiffness = 0;      // N/m; 0 with Hertz
@@ -47,6 +50,8 @@ struct CaseValues {
   double pipe_length = 0;    // m
   std::string ends;
   bool wall = true;
+  bool has_walls() const { return wall || ends == "closed"; }
+  bool has_rotation() const { return friction > 0 || (has_walls() && wall_friction > 0); }
 
   bool has_gas = false;
   double gas_velocity = 0;      // m/s, superficial

@@ -103,6 +103,29 @@ void check_gas_gravity(const Reading& reading, Report& report) {
                "pipe: turn gravity to -y, or remove [gas]");
 }
 
+/// What is said of walls where there are none, and of friction where there is none.
+void check_walls_and_friction(const Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  if (!v.has_walls() && reading.usable({"pipe.wall", "pipe.ends"}))
+    for (const char* key : {"material.wall_friction", "material.wall_restitution"})
+      if (reading.has(key))
+        report.error(
+            reading.place(key),
+            fmt::format("{} with [pipe] wall = false and ends = \"periodic\"; allowed: only where there are walls",
+                        reading.quote(key)),
+            "remove it, which would do nothing");
+  if (v.friction_limit == "total" || !reading.has("contact.friction_limit")) return;
+  if (!v.has_rotation() && reading.usable({"material.friction", "material.wall_friction"}))
+    report.error(
+        reading.place("contact.friction_limit"),
+        fmt::format("{} with friction = 0; allowed: only with friction", reading.quote("contact.friction_limit")),
+        "remove it, which would do nothing, or raise [material] friction");
+  if (v.slider == "paper" && reading.usable({"contact.slider"}))
+    report.error(reading.place("contact.friction_limit"),
+                 fmt::format("{} with slider = \"paper\"; allowed: \"total\"", reading.quote("contact.friction_limit")),
+                 "eqs. (10)-(12) to the letter use the whole force: choose slider = \"clip\" or \"exact\"");
+}
+
 void check_law_and_gas(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
   if (v.damping == "critical" && v.normal == "hertz" && reading.usable({"contact.normal"}))
@@ -125,6 +148,7 @@ void check_law_and_gas(const Reading& reading, Report& report) {
 void check_conditions(Reading& reading, Report& report) {
   check_applicable_keys(reading, report);
   check_start(reading, report);
+  check_walls_and_friction(reading, report);
   check_law_and_gas(reading, report);
 }
 

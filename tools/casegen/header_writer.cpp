@@ -68,7 +68,15 @@ class Members {
   std::string text_;
 };
 
+/// The same case where it says nothing of the keys that are in a header only if they say something.
+CaseValues silent_of(CaseValues values) {
+  values.wall_friction = values.friction, values.wall_restitution = values.restitution;
+  values.friction_limit = "total";
+  return values;
+}
+
 void write_physics(Members& members, const CaseValues& v) {
+  const CaseValues silent = silent_of(v);
   members.heading("particles and material");
   members.whole("particle_count", v.count);
   members.real("diameter", v.diameter, "m");
@@ -79,11 +87,14 @@ void write_physics(Members& members, const CaseValues& v) {
   members.real("friction", v.friction, "");
   members.real("wall_youngs_modulus", v.wall_youngs_modulus, "Pa");
   members.real("wall_poisson_ratio", v.wall_poisson_ratio, "");
+  if (v.wall_friction != silent.wall_friction) members.real("wall_friction", v.wall_friction, "");
+  if (v.wall_restitution != silent.wall_restitution) members.real("wall_restitution", v.wall_restitution, "");
 
   members.heading("contact law");
   members.choice("NormalLaw", "normal", v.normal);
   members.choice("TangentialLaw", "tangential", v.tangential);
   members.choice("Slider", "slider", v.slider);
+  if (v.friction_limit != silent.friction_limit) members.choice("FrictionLimit", "friction_limit", v.friction_limit);
   members.choice("DampingMass", "damping_mass", v.damping_mass);
   members.choice("Damping", "damping", v.damping);
   members.real("normal_stiffness", v.normal_stiffness, "N/m");
@@ -146,9 +157,11 @@ void write_program(Members& members, const CaseValues& v) {
 /// Every key with its value, one a line: what a program compares when it is to go on with a run of another one.
 std::string key_values(const CaseValues& values) {
   std::string text;
+  const CaseValues silent = silent_of(values);
   for (const Rule<CaseValues>& rule : case_keys())
-    text += fmt::format("{}{} = {}\n", rule.table.empty() ? "" : "[" + rule.table + "] ", rule.name,
-                        one_line(rule.value_in(values)));
+    if (!rule.only_if_it_says_something || rule.value_in(values) != rule.value_in(silent))
+      text += fmt::format("{}{} = {}\n", rule.table.empty() ? "" : "[" + rule.table + "] ", rule.name,
+                          one_line(rule.value_in(values)));
   for (std::size_t k = 0; k < values.placed.size(); ++k)
     for (const Rule<PlacedParticle>& rule : placed_keys())
       text += fmt::format("[[start.particle]] {} {} = {}\n", k, rule.name, rule.value_in(values.placed[k]));

@@ -49,6 +49,14 @@ std::vector<Rule<CaseValues>> physics_keys() {
       {{"material", "wall_poisson_ratio", "", false, When::hertz, "the particles' own",
         "Poisson's ratio of pipe and ends", "leave it out for a wall of the particles' material"},
        Real{&Values::wall_poisson_ratio, between(0, 0.5)}},
+      {{"material", "wall_friction", "", false, When::always, "the particles' own",
+        "Coulomb's coefficient at pipe and ends",
+        "leave it out for the particles' own friction; 0 is a wall that turns nothing", true},
+       Real{&Values::wall_friction, not_negative, between(0, 5)}},
+      {{"material", "wall_restitution", "", false, When::always, "the particles' own",
+        "rebound speed over impact speed at pipe and ends",
+        "leave it out for the particles' own restitution; 1 is elastic", true},
+       Real{&Values::wall_restitution, Range{0, 1, false, true}}},
 
       {{"contact", "normal", "", false, When::always, "", "normal force: Hertz, or a linear spring of given stiffness",
         "\"hertz\" is the paper's; \"linear\" needs normal_stiffness and tangential_stiffness"},
@@ -64,6 +72,12 @@ std::vector<Rule<CaseValues>> physics_keys() {
         "letter "
         "of eqs. (10)-(12)"},
        Choice{&Values::slider, {"clip", "exact", "paper"}}},
+      {{"contact", "friction_limit", "", false, When::always, "",
+        "limit of friction: mu times the whole normal force (eq. 9), or times its elastic part, which makes gross "
+        "sliding "
+        "Coulomb's exactly",
+        "\"total\" is the paper's; \"elastic\" takes mu (1 + e) M v of an impact that slides throughout", true},
+       Choice{&Values::friction_limit, {"total", "elastic"}}},
       {{"contact", "damping_mass", "", false, When::always, "",
         "mass in eq. (26) between particles: the reduced mass gives the restitution asked for, the particle's is as "
         "printed",

@@ -86,7 +86,8 @@ void check_placed(const Reading& reading, Report& report) {
   for (std::size_t i = 0; i < v.placed.size(); ++i) {
     const PlacedParticle& particle = v.placed[i];
     const std::string spin = entry(i, "angular_velocity"), position = entry(i, "position");
-    if (v.friction == 0 && reading.usable({"material.friction"}) && particle.angular_velocity != Vector3{})
+    if (!v.has_rotation() && reading.usable({"material.friction", "material.wall_friction"}) &&
+        particle.angular_velocity != Vector3{})
       report.error(reading.place(spin), fmt::format("{} with friction = 0; allowed: [0, 0, 0]", reading.quote(spin)),
                    "without friction particles do not rotate: remove it, or raise [material] friction");
     if (!reading.usable({position})) continue;

@@ -106,6 +106,8 @@ struct Key {
   std::string default_note;  ///< for defaults that follow from other keys; otherwise the initialiser is printed
   std::string meaning;
   std::string advice;  ///< second line of a refusal
+  /// In the header only where it says something: a header without it is that of the time before there was such a key.
+  bool only_if_it_says_something = false;
 };
 
 template <class Record>

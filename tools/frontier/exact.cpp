@@ -23,8 +23,8 @@ frontier::Outcome outcome(const frontier::Impact& impact, TangentialLaw law, Sca
   const auto coefficients =
       impact.is_pair ? reference::pair_coefficients<Case, Scalar>() : reference::wall_coefficients<Case, Scalar>();
   const Scalar effective = impact.is_pair ? sphere.mass / 2 : sphere.mass;
-  frontier::ExactImpact solver(coefficients, Case::normal == NormalLaw::hertz, law, Case::friction, sphere.mass,
-                               effective, tolerance);
+  frontier::ExactImpact solver(coefficients, Case::normal == NormalLaw::hertz, law, Derived<Case>::friction_limit,
+                               sphere.mass, effective, tolerance);
   return solver.solve(impact.normal, impact.tangential);
 }
 

@@ -39,9 +39,15 @@ class ExactImpact {
 
  public:
   /// `mass`: that of a sphere; `effective_mass`: M of the normal motion.
-  ExactImpact(const reference::Coefficients<Scalar>& c, bool is_hertz, TangentialLaw law, Scalar friction, Scalar mass,
-              Scalar effective_mass, Scalar tolerance)
-      : law_(law), hertz_(is_hertz), mu_(friction), mass_(mass), effective_(effective_mass), tolerance_(tolerance) {
+  ExactImpact(const reference::Coefficients<Scalar>& c, bool is_hertz, TangentialLaw law, FrictionLimit limit,
+              Scalar mass, Scalar effective_mass, Scalar tolerance)
+      : law_(law),
+        limit_(limit),
+        hertz_(is_hertz),
+        mu_(c.friction),
+        mass_(mass),
+        effective_(effective_mass),
+        tolerance_(tolerance) {
     unscaled_ = c;
   }
 
@@ -109,8 +115,8 @@ class ExactImpact {
   }
 
   struct Forces {
-    Scalar repulsion, stiffness, damping, cap;  ///< R, k_t, eta_t, mu |R|
-    Scalar repulsion_rate, stiffness_rate;
+    Scalar repulsion, stiffness, damping, cap;  ///< R, k_t, eta_t, mu |R| or mu times the elastic part of R
+    Scalar cap_rate, stiffness_rate;
   };
 
   Forces forces(const State& s) const {
@@ -120,12 +126,17 @@ class ExactImpact {
     const Scalar eta = scaled_.normal_damping * fourth;
     f.repulsion = scaled_.normal_stiffness * x * root + eta * v;
     f.stiffness = scaled_.tangential_stiffness * root;
-    f.cap = mu_ * std::abs(f.repulsion);
     const Scalar acceleration = -f.repulsion * mass_ / effective_;
-    f.repulsion_rate = scaled_.normal_stiffness * root * v * (hertz_ ? Scalar(1.5L) : 1) + eta * acceleration;
+    const Scalar elastic_rate = scaled_.normal_stiffness * root * v * (hertz_ ? Scalar(1.5L) : 1);
+    Scalar repulsion_rate = elastic_rate + eta * acceleration;
     if (hertz_ && x > 0) {
-      f.repulsion_rate += eta * v * v / (4 * x);
+      repulsion_rate += eta * v * v / (4 * x);
       f.stiffness_rate = f.stiffness * v / (2 * x);
+    }
+    if (limit_ == FrictionLimit::elastic) {
+      f.cap = mu_ * scaled_.normal_stiffness * x * root, f.cap_rate = mu_ * elastic_rate;
+    } else {
+      f.cap = mu_ * std::abs(f.repulsion), f.cap_rate = mu_ * (f.repulsion < 0 ? -repulsion_rate : repulsion_rate);
     }
     return f;
   }
@@ -133,8 +144,8 @@ class ExactImpact {
   Scalar to_force(const Forces& f) const { return keeps_displacement() ? f.stiffness : 1; }
   Scalar bound(const Forces& f) const { return f.cap / std::max(to_force(f), Scalar(1e-300L)); }
   Scalar bound_rate(const Forces& f) const {
-    const Scalar rate = mu_ * (f.repulsion < 0 ? -f.repulsion_rate : f.repulsion_rate), c = to_force(f);
-    return keeps_displacement() ? rate / c - f.cap * f.stiffness_rate / (c * c) : rate;
+    const Scalar c = to_force(f);
+    return keeps_displacement() ? f.cap_rate / c - f.cap * f.stiffness_rate / (c * c) : f.cap_rate;
   }
   Scalar growth(const Forces& f, const State& s, Scalar h) const {
     const Scalar u = s[3] + s[4];
@@ -204,6 +215,7 @@ class ExactImpact {
 
   reference::Coefficients<Scalar> unscaled_, scaled_{};
   TangentialLaw law_;
+  FrictionLimit limit_;
   bool hertz_;
   Scalar mu_, mass_, effective_, tolerance_;
   Scalar speed_ = 1, length_ = 1, peak_ = 0;

@@ -20,6 +20,7 @@ REQUIRED = {
     "ends": "periodic",
     "has_wall": True,
     "has_gas": False,
+    "friction_limit": "total",
 }
 
 
@@ -45,13 +46,14 @@ def value_of(text):
 
 
 def read_header(header):
-    """The members of the struct in a header of casegen: name -> value."""
+    """The members of the struct in a header of casegen: name -> value; what it leaves out has its default."""
     text = Path(header).read_text()
     case = {name: value_of(value) for name, _, value in MEMBER.findall(text)}
-    missing = [key for key in (*REQUIRED, "particle_count", "diameter", "pipe_diameter", "gravity", "time_step") if key not in case]
+    missing = [key for key in ("normal", "ends", "friction", "restitution", "particle_count", "diameter", "pipe_diameter", "gravity", "time_step") if key not in case]
     if missing:
         raise SystemExit(f"{header}: no {', '.join(missing)} in it: not a header of casegen, or one of another version")
-    return case
+    own = {"wall_friction": case["friction"], "wall_restitution": case["restitution"], "friction_limit": "total"}
+    return own | case
 
 
 def read_case(header):
@@ -76,6 +78,7 @@ class Law:
     tangential_wall: float
     alpha: float
     friction: float
+    wall_friction: float
 
 
 def damping_ratio(restitution):
@@ -108,4 +111,5 @@ def law_of(case):
         **stiffnesses_of(case),
         alpha=math.sqrt(5) * damping_ratio(case["restitution"]),
         friction=case["friction"],
+        wall_friction=case["wall_friction"],
     )

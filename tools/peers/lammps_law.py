@@ -28,7 +28,9 @@ def refusal(case):
 
     if case["ends"] == "open":
         return words('ends = "open"', "its box has walls or is periodic", 'choose [pipe] ends = "periodic" or "closed"')
-    if case["friction"] == 0:
+    if case["friction_limit"] != "total":
+        return words('friction_limit = "elastic"', "it caps friction by the whole normal force", 'choose [contact] friction_limit = "total"')
+    if case["friction"] == 0 and case["wall_friction"] == 0:
         pass  # neither slider nor tangential spring
     elif case["slider"] == "paper":
         return words('slider = "paper"', "it caps friction along the trial force", 'choose [contact] slider = "clip"')
@@ -37,13 +39,13 @@ def refusal(case):
             f'tangential = "{case["tangential"]}" with normal = "linear"', "its linear spring keeps a displacement",
             'choose [contact] tangential = "displacement", which is the same where the stiffness is constant',
         )  # fmt: skip
-    if case["normal"] == "hertz" and case["restitution"] < 1:
-        for alpha in alphas(case):
-            if not tsuji_polynomial(1.0) <= alpha <= tsuji_polynomial(0.0):
+    if case["normal"] == "hertz":
+        for key, alpha in zip(("restitution", "wall_restitution"), alphas(case), strict=True):
+            if case[key] < 1 and not tsuji_polynomial(1.0) <= alpha <= tsuji_polynomial(0.0):
                 return words(
-                    f"restitution = {case['restitution']:g}",
+                    f"{key} = {case[key]:g}",
                     f"alpha = {alpha:.4g} lies outside what `damping tsuji` can return, {tsuji_polynomial(1.0):.1g} to 1.27",
-                    "choose 1, or a [material] restitution between 0.12 and 0.9995",
+                    f"choose 1, or a [material] {key} between 0.12 and 0.9995",
                 )
     return None
 
@@ -67,8 +69,8 @@ def tsuji_argument(alpha):
 
 def alphas(case):
     """Of pairs and of walls, for the reduced mass that LAMMPS takes."""
-    alpha = 5**0.5 * damping_ratio(case["restitution"])
-    return alpha * (2**0.5 if case["damping_mass"] == "particle" else 1), alpha
+    alpha, wall_alpha = (5**0.5 * damping_ratio(case[key]) for key in ("restitution", "wall_restitution"))
+    return alpha * (2**0.5 if case["damping_mass"] == "particle" else 1), wall_alpha
 
 
 def hertz_contact(case, normal, tangential, root, alpha, friction):
@@ -79,11 +81,11 @@ def hertz_contact(case, normal, tangential, root, alpha, friction):
     return f"hertz {normal / root!r} {damping} tangential {spring} damping {'tsuji' if alpha else 'velocity'}"
 
 
-def linear_contact(case, law, damped_mass, friction):
+def linear_contact(case, law, damped_mass, friction, restitution):
     if case["damping"] == "critical":  # eq. (23), in both directions
         damping, share = 2 * (law.mass * law.normal_pair) ** 0.5, (law.tangential_pair / law.normal_pair) ** 0.5
     else:
-        damping, share = 2 * damping_ratio(case["restitution"]) * (damped_mass * law.normal_pair) ** 0.5, 1.0
+        damping, share = 2 * damping_ratio(restitution) * (damped_mass * law.normal_pair) ** 0.5, 1.0
     spring = f"linear_history {law.tangential_pair!r} {share!r} {friction!r}" if friction else "linear_nohistory 0.0 0.0"
     return f"hooke {law.normal_pair!r} {damping!r} tangential {spring} damping velocity"
 
@@ -95,13 +97,13 @@ def law_commands(case, law):
     pipe_root = (law.radius * 2 * cylinder / (2 * cylinder - law.radius)) ** 0.5
     if case["normal"] == "linear":
         pair_mass = law.mass / (2 if case["damping_mass"] == "reduced" else 1)
-        pair = linear_contact(case, law, pair_mass, law.friction)
-        pipe = end = linear_contact(case, law, law.mass, law.friction)
+        pair = linear_contact(case, law, pair_mass, law.friction, case["restitution"])
+        pipe = end = linear_contact(case, law, law.mass, law.wall_friction, case["wall_restitution"])
     else:
         pair_alpha, wall_alpha = alphas(case)
         pair = hertz_contact(case, law.normal_pair, law.tangential_pair, pair_root, pair_alpha, law.friction)
         pipe, end = (
-            hertz_contact(case, law.normal_wall, law.tangential_wall, root, wall_alpha, law.friction) for root in (pipe_root, end_root)
+            hertz_contact(case, law.normal_wall, law.tangential_wall, root, wall_alpha, law.wall_friction) for root in (pipe_root, end_root)
         )
     lines = ["pair_style granular", f"pair_coeff * * {pair}"]
     if case["has_wall"]:

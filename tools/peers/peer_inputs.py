@@ -37,15 +37,15 @@ def data_file(case, state):
 
 
 def liggghts_law(case, law):
-    def pairs(value):
-        return " ".join([repr(value)] * 4)
+    def pairs(between, at_wall):
+        return f"{between!r} {at_wall!r} {at_wall!r} {at_wall!r}"
 
     model = "model hertz tangential history"
     return [
         f"fix m1 all property/global youngsModulus peratomtype {case['youngs_modulus']!r} {case['wall_youngs_modulus']!r}",
         f"fix m2 all property/global poissonsRatio peratomtype {case['poisson_ratio']!r} {case['wall_poisson_ratio']!r}",
-        f"fix m3 all property/global coefficientRestitution peratomtypepair 2 {pairs(case['restitution'])}",
-        f"fix m4 all property/global coefficientFriction peratomtypepair 2 {pairs(law.friction)}",
+        f"fix m3 all property/global coefficientRestitution peratomtypepair 2 {pairs(case['restitution'], case['wall_restitution'])}",
+        f"fix m4 all property/global coefficientFriction peratomtypepair 2 {pairs(law.friction, law.wall_friction)}",
         f"pair_style gran {model}",
         "pair_coeff * *",
         f"fix wall all wall/gran {model} primitive type 2 zcylinder {case['pipe_diameter'] / 2!r} 0 0",

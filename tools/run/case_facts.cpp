@@ -18,15 +18,19 @@ const char* precision_name(Precision precision) { return precision == Precision:
 std::vector<std::string> features(const CaseFacts& facts) {
   std::vector<std::string> list;
   list.push_back(facts.normal == NormalLaw::hertz ? "hertz" : "linear");
-  if (facts.friction > 0) {
+  if (facts.has_rotation) {
     list.push_back(facts.tangential == TangentialLaw::displacement ? "displacement"
                    : facts.tangential == TangentialLaw::force      ? "force"
                                                                    : "rescale");
     list.push_back(facts.slider == Slider::clip ? "clip" : facts.slider == Slider::exact ? "exact" : "paper");
+    if (facts.friction_limit == FrictionLimit::elastic) list.push_back("elastic_friction_limit");
     list.push_back("rotation");
   }
   if (facts.damping == Damping::critical) list.push_back("critical_damping");
   if (facts.damping_mass == DampingMass::particle) list.push_back("particle_damping_mass");
+  if (facts.pair_contact.friction != facts.wall_contact.friction ||
+      facts.pair_contact.restitution != facts.wall_contact.restitution)
+    list.push_back("own_walls");
   if (facts.has_wall) list.push_back("pipe_wall");
   list.push_back(facts.is_periodic ? "periodic" : "closed_ends");
   if (facts.has_gas) {

@@ -11,9 +11,9 @@
 namespace fixdem::program {
 
 /// Springs and dampers of one kind of contact (kernel/case.hpp): factors of overlap^(3/2), ^(1/2) and ^(1/4) with
-/// Hertz, N/m and kg/s with the linear law.
+/// Hertz, N/m and kg/s with the linear law; and what they follow from.
 struct ContactCoefficients {
-  double stiffness, tangential_stiffness, damping, tangential_damping;
+  double stiffness, tangential_stiffness, damping, tangential_damping, friction, restitution;
 };
 
 struct CaseFacts {
@@ -24,9 +24,9 @@ struct CaseFacts {
   const char* keys = "";  ///< "[table] key = value", one a line; empty in a case that casegen has not written
 
   int particle_count;
-  double diameter, density, mass, friction;
+  double diameter, density, mass;
   double pipe_diameter, pipe_length;
-  bool is_periodic, has_wall, has_gas;
+  bool is_periodic, has_wall, has_gas, has_rotation;
   double gas_velocity;
   int slice_count;
   double gravity[3];
@@ -42,6 +42,7 @@ struct CaseFacts {
   NormalLaw normal;
   TangentialLaw tangential;
   Slider slider;
+  FrictionLimit friction_limit;
   DampingMass damping_mass;
   Damping damping;
   BedHeight bed_height;
@@ -103,7 +104,8 @@ constexpr CaseFacts case_facts() {
   f.name = Case::name, f.title = Case::title, f.source = Case::source, f.source_hash = Case::source_hash;
   if constexpr (requires { Case::keys; }) f.keys = Case::keys;
   f.particle_count = Case::particle_count;
-  f.diameter = Case::diameter, f.density = Case::density, f.mass = D::mass, f.friction = Case::friction;
+  f.diameter = Case::diameter, f.density = Case::density, f.mass = D::mass;
+  f.has_rotation = D::has_rotation, f.friction_limit = D::friction_limit;
   f.pipe_diameter = Case::pipe_diameter, f.pipe_length = Case::pipe_length;
   f.is_periodic = D::is_periodic, f.has_wall = Case::has_wall, f.has_gas = Case::has_gas;
   f.gas_velocity = Case::gas_velocity, f.slice_count = Case::slice_count;
@@ -120,8 +122,11 @@ constexpr CaseFacts case_facts() {
   f.bed_height = Case::gas_bed_height, f.integrator = Case::integrator;
   f.precision = Case::precision;
   f.stiffness_pair = D::stiffness_pair, f.stiffness_wall = D::stiffness_wall;
-  f.pair_contact = {D::stiffness_pair, D::tangential_stiffness_pair, D::damping_pair, D::tangential_damping_pair};
-  f.wall_contact = {D::stiffness_wall, D::tangential_stiffness_wall, D::damping_wall, D::tangential_damping_wall};
+  f.pair_contact = {D::stiffness_pair, D::tangential_stiffness_pair,
+                    D::damping_pair,   D::tangential_damping_pair,
+                    Case::friction,    Case::restitution};
+  f.wall_contact = {D::stiffness_wall, D::tangential_stiffness_wall, D::damping_wall, D::tangential_damping_wall,
+                    D::wall_friction,  D::wall_restitution};
   f.start = Case::start, f.seed = Case::seed, f.start_velocity = Case::start_velocity;
   f.start_keeps_motion = Case::start_keeps_motion, f.start_from = Case::start_from, f.placed = Case::placed;
   f.instruction_set = compiled_instruction_set();

@@ -92,10 +92,11 @@ double two_digits_below(double x) {
 }  // namespace
 
 TangentSpring tangent_spring(NormalLaw law, const ContactCoefficients& c, double overlap) {
-  if (law == NormalLaw::linear) return {c.stiffness, c.tangential_stiffness, c.damping, c.tangential_damping};
+  const double sticks = c.friction > 0 ? 1 : 0;  // without friction there is no tangential law
+  const double k_t = sticks * c.tangential_stiffness, eta_t = sticks * c.tangential_damping;
+  if (law == NormalLaw::linear) return {c.stiffness, k_t, c.damping, eta_t};
   const double root = std::sqrt(overlap), fourth_root = std::sqrt(root);
-  return {1.5 * c.stiffness * root, c.tangential_stiffness * root, c.damping * fourth_root,
-          c.tangential_damping * fourth_root};
+  return {1.5 * c.stiffness * root, k_t * root, c.damping * fourth_root, eta_t * fourth_root};
 }
 
 StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, const std::vector<Contact>& contacts) {
@@ -103,12 +104,11 @@ StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, c
     Block stiffness{}, damping{};
   };
   std::vector<Blocks> blocks(static_cast<std::size_t>(facts.particle_count));
-  const bool rolls = facts.friction > 0;
   std::vector<TangentSpring> springs;
   std::vector<double> held;
   for (const Contact& contact : contacts) {
-    springs.push_back(
-        tangent_spring(facts.normal, contact.partner >= 0 ? facts.pair_contact : facts.wall_contact, contact.overlap));
+    const ContactCoefficients& kind = contact.partner >= 0 ? facts.pair_contact : facts.wall_contact;
+    springs.push_back(tangent_spring(facts.normal, kind, contact.overlap));
     held.push_back(springs.back().stiffness + springs.back().tangential_stiffness +
                    criterion.normal_damping * springs.back().damping / facts.time_step);
   }
@@ -119,10 +119,9 @@ StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, c
     const auto add = [&](int particle, double share) {
       Blocks& b = blocks[static_cast<std::size_t>(particle)];
       share /= facts.mass;
-      add_contact(b.stiffness, contact.normal, share * spring.stiffness,
-                  rolls ? share * spring.tangential_stiffness : 0);
+      add_contact(b.stiffness, contact.normal, share * spring.stiffness, share * spring.tangential_stiffness);
       add_contact(b.damping, contact.normal, share * criterion.normal_damping * spring.damping,
-                  rolls ? share * criterion.tangential_damping * spring.tangential_damping : 0);
+                  share * criterion.tangential_damping * spring.tangential_damping);
     };
     if (contact.partner < 0) {
       add(contact.owner, 1);

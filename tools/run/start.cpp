@@ -52,7 +52,7 @@ StoredState load(const CaseFacts& facts, const Options& options) {
     refuse(fmt::format("its particles are {} m wide, those of the case {} m", state.diameter, facts.diameter),
            "both cases need the same [particles] diameter");
   const bool forces = facts.tangential != TangentialLaw::displacement;
-  if (facts.start_keeps_motion && facts.friction > 0 && state.histories_are_forces != forces)
+  if (facts.start_keeps_motion && facts.has_rotation && state.histories_are_forces != forces)
     refuse(fmt::format("its contact histories are {}, the case needs {}",
                        state.histories_are_forces ? "forces" : "displacements", forces ? "forces" : "displacements"),
            "use the same [contact] tangential in both cases, or [start] motion = \"stop\"");
@@ -110,9 +110,9 @@ void start_simulation(SimulationView& view, const CaseFacts& facts, const Option
     for (Particle& particle : state.particles)
       for (int k = 0; k < 3; ++k) {
         if (!facts.start_keeps_motion) particle.velocity[k] = 0;
-        if (!facts.start_keeps_motion || facts.friction == 0) particle.angular_velocity[k] = 0;
+        if (!facts.start_keeps_motion || !facts.has_rotation) particle.angular_velocity[k] = 0;
       }
-    if (!facts.start_keeps_motion || facts.friction == 0) state.histories.clear();
+    if (!facts.start_keeps_motion || !facts.has_rotation) state.histories.clear();
   }
 
   for (int id = 0; id < facts.particle_count; ++id) view.place(id, state.particles[static_cast<std::size_t>(id)]);

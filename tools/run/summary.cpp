@@ -59,6 +59,13 @@ Json collision(const Outcome& outcome) {
       {"max_overlap", number(c.max_overlap)},           {"max_normal_force", number(c.max_normal_force)}};
 }
 
+/// What walls have of their own; null where they have nothing.
+Json own_material(const CaseFacts& facts) {
+  const ContactCoefficients &pair = facts.pair_contact, &wall = facts.wall_contact;
+  if (wall.friction == pair.friction && wall.restitution == pair.restitution) return nullptr;
+  return {{"wall_friction", wall.friction}, {"wall_restitution", wall.restitution}};
+}
+
 Json particles(const Outcome& outcome) {
   if (outcome.snapshot.particles.size() > 64) return nullptr;
   Json list = Json::array();
@@ -115,6 +122,7 @@ std::string encode_summary(const CaseFacts& facts, const Options& options, const
       {"plug", outcome.plug ? plug(*outcome.plug) : Json(nullptr)},
       {"collision", collision(outcome)},
       {"particles", particles(outcome)}};
+  if (Json own = own_material(facts); !own.is_null()) summary["material"] = std::move(own);
   return summary.dump(2) + "\n";
 }
 

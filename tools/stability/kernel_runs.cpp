@@ -38,7 +38,7 @@ struct Scene : cases::FIXDEM_CASE {
   static constexpr auto integrator = Integrator::FIXDEM_INTEGRATOR;
 #endif
 #ifdef FIXDEM_RESTITUTION
-  static constexpr double restitution = FIXDEM_RESTITUTION;
+  static constexpr double restitution = FIXDEM_RESTITUTION, wall_restitution = FIXDEM_RESTITUTION;
 #endif
 #ifdef FIXDEM_STILL
   static constexpr bool has_gas = false;

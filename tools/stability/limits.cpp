@@ -73,7 +73,8 @@ void bed_limits(const Scene& bed, bool is_quick, Table& table) {
   for (const double e : restitutions)
     for (const program::StepCriterion& criterion : program::step_criteria) {
       VariableCase::reset();
-      VariableCase::has_gas = false, VariableCase::restitution = e, VariableCase::integrator = criterion.integrator;
+      VariableCase::has_gas = false, VariableCase::restitution = VariableCase::wall_restitution = e,
+      VariableCase::integrator = criterion.integrator;
       const auto contacts = contacts_of(bed);
       const double predicted = predicted_step(contacts, criterion);
       const double bound = program::stable_step(facts_at_present(), criterion, contacts).seconds;
@@ -134,7 +135,8 @@ void grazing(bool is_quick, Table& table) {
       for (const auto& [law, name] : laws)
         for (double degrees = 0.25; degrees < 90; degrees *= growth) {
           VariableCase::reset();
-          VariableCase::has_gas = false, VariableCase::restitution = 1, VariableCase::tangential = law;
+          VariableCase::has_gas = false, VariableCase::restitution = VariableCase::wall_restitution = 1,
+          VariableCase::tangential = law;
           VariableCase::integrator = Integrator::leapfrog;
           VariableCase::poisson_ratio = VariableCase::wall_poisson_ratio = nu;
           const auto c = coefficients_of(is_pair);
@@ -171,7 +173,7 @@ int run(const std::string& state_file, const std::string& out, double speed, boo
          rules_of_thumb(program::case_facts<Case>(), Case::youngs_modulus, Case::poisson_ratio, contacts, speed))
       table.row("\"{}\",{:.5g},{:.5g},{:.4g}", rule.name, rule.seconds, exact, rule.seconds / exact);
   }
-  if (Case::normal == NormalLaw::hertz && Case::friction > 0) {
+  if (Case::normal == NormalLaw::hertz && Derived<Case>::has_rotation) {
     Table table(out + "/grazing.csv",
                 "contact,poisson ratio,k_t / k_n,tangential law,degrees from the normal,gained / tangential energy,"
                 "unaccounted / kinetic energy");

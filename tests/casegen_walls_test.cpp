@@ -1,0 +1,77 @@
+// tools/casegen: walls of their own and the limit of friction; what says nothing leaves the header as it was.
+#include <doctest/doctest.h>
+
+#include "casegen_run.hpp"
+
+using namespace casegen_test;
+
+namespace {
+
+std::string with_material(const std::string& line) {
+  return replaced(good_case, "friction = 0.3", "friction = 0.3\n" + line);
+}
+std::string with_contact(const std::string& line, std::string text = good_case) {
+  return text + "\n[contact]\n" + line + "\n";
+}
+
+std::string printed(const std::string& text) {
+  const fs::path file = scratch() / "walls.toml";
+  write(file, text);
+  const Outcome outcome = casegen("'" + file.string() + "' --print");
+  CHECK_MESSAGE(outcome.exit_code == 0, outcome.output);
+  return outcome.output;
+}
+
+/// The members of a header, without the lines that hold the hash of the file.
+std::string members(const std::string& header) {
+  std::string kept;
+  for (std::size_t at = 0; at < header.size();) {
+    const std::size_t end = header.find('\n', at) + 1;
+    const std::string line = header.substr(at, end - at);
+    if (!contains(line, "xxh64") && !contains(line, "source_hash")) kept += line;
+    at = end;
+  }
+  return kept;
+}
+
+/// Without [pipe] wall, ends and gas.
+std::string bare(std::string text) {
+  const auto gas = text.find("[gas]"), start = text.find("[start]");
+  text.erase(gas, start - gas);
+  return replaced(text, "ends = \"periodic\"", "ends = \"periodic\"\nwall = false");
+}
+
+}  // namespace
+
+TEST_CASE("casegen: walls that are told what they are anyway leave the header as it was") {
+  const std::string plain = members(printed(good_case));
+  CHECK(members(printed(with_material("wall_friction = 0.3\nwall_restitution = 0.9"))) == plain);
+  CHECK(members(printed(with_contact("friction_limit = \"total\""))) == plain);
+  for (const char* word : {"wall_friction", "wall_restitution", "friction_limit"}) CHECK_FALSE(contains(plain, word));
+}
+
+TEST_CASE("casegen: walls of their own and the elastic limit are in header and keys") {
+  const std::string own = printed(
+      with_contact("friction_limit = \"elastic\"", with_material("wall_friction = 0.25\nwall_restitution = 0.5")));
+  for (const char* words :
+       {"static constexpr double wall_friction = 0x1p-2", "static constexpr double wall_restitution = 0x1p-1",
+        "static constexpr FrictionLimit friction_limit = FrictionLimit::elastic", "[material] wall_friction = 0.25",
+        "[contact] friction_limit = \\\"elastic\\\""})
+    CHECK_MESSAGE(contains(own, words), words);
+  CHECK(contains(printed(with_material("wall_friction = 0")), "wall_friction = 0x0p+0"));
+}
+
+TEST_CASE("casegen refuses what it would do nothing with: walls where there are none, a limit of no friction") {
+  for (const std::string line : {"wall_friction = 0.2", "wall_restitution = 0.5"})
+    check_refused(bare(with_material(line)), line,
+                  {"with [pipe] wall = false and ends = \"periodic\"; allowed: only where there are walls",
+                   "remove it, which would do nothing"});
+  const std::string limit = "friction_limit = \"elastic\"";
+  check_refused(with_contact(limit, replaced(good_case, "friction = 0.3", "friction = 0")), "\"elastic\"",
+                {"with friction = 0; allowed: only with friction"});
+  check_refused(with_contact(limit + "\nslider = \"paper\""), "\"elastic\"",
+                {"with slider = \"paper\"; allowed: \"total\"", "use the whole force"});
+  check_refused(with_contact("friction_limit = \"plastic\""), "\"plastic\"", {"\"total\", \"elastic\""});
+  check_refused(with_material("wall_friction = -0.1"), "-0.1", {"at least 0"});
+  check_refused(with_material("wall_restitution = 0"), "0\n", {"above 0 and at most 1"});
+}

@@ -1,0 +1,78 @@
+// Impacts on a wall with friction and restitution of its own, against an event-driven solution of the equations of one
+// contact (Dormand-Prince, long double, two tolerances 2e-9 apart); what the particles have among themselves must not
+// matter.
+#include <cmath>
+
+#include "impact_scene.hpp"
+
+namespace fixdem::tests {
+namespace {
+
+struct Rebound {
+  double degrees;
+  double velocity_total, spin_total, velocity_elastic, spin_elastic;  ///< along the wall, m/s; rad/s
+};
+
+template <int hundredths, int tenths, FrictionLimit limit, Integrator scheme>
+struct onto_wall : impact_scene {
+  static constexpr double wall_friction = 0.01 * hundredths, wall_restitution = 0.1 * tenths;
+  static constexpr FrictionLimit friction_limit = limit;
+  static constexpr Integrator integrator = scheme;
+  static constexpr Slider slider = scheme == Integrator::impulse ? Slider::exact : Slider::clip;
+};
+
+/// All angles at once, each sphere for itself. `tolerance`: m/s.
+template <class Case>
+void check_rebounds(const Rebound* rebounds, int count, double tolerance) {
+  enter({Case::name, seed()});
+  static Simulation<Case> simulation;
+  const double d = Case::diameter, pi = Derived<Case>::pi;
+  Spheres spheres = oblique_impacts<Case>(Random(seed()));
+  for (int k = 0; k < count; ++k) {
+    Sphere& s = spheres[static_cast<std::size_t>(k)];
+    s = {};
+    const double angle = rebounds[k].degrees * pi / 180;
+    s.velocity[0] = std::sin(angle), s.velocity[2] = -std::cos(angle);
+    s.position[0] = (k - 10) * 4 * d, s.position[2] = d / 2 + 1e-6;
+  }
+  place_all(simulation, spheres);
+  start(simulation);
+  run(simulation, static_cast<long long>(3e-4 / Case::time_step));
+  for (int k = 0; k < count; ++k) {
+    const Rebound& expected = rebounds[k];
+    CAPTURE(expected.degrees);
+    const Particle after = simulation.particle(k);
+    constexpr bool is_elastic = Case::friction_limit == FrictionLimit::elastic;
+    const double velocity = is_elastic ? expected.velocity_elastic : expected.velocity_total;
+    const double spin = is_elastic ? expected.spin_elastic : expected.spin_total;
+    CHECK(std::abs(after.velocity[2] - Case::wall_restitution * std::cos(expected.degrees * pi / 180)) < tolerance);
+    CHECK(std::abs(after.velocity[0] - velocity) < tolerance);
+    CHECK(std::abs(after.angular_velocity[1] - spin) * d / 2 < tolerance);
+  }
+}
+
+template <int hundredths, int tenths, int count>
+void check_wall(const Rebound (&rebounds)[count]) {
+  using enum FrictionLimit;
+  using enum Integrator;
+  check_rebounds<onto_wall<hundredths, tenths, total, impulse>>(rebounds, count, 2e-6);
+  check_rebounds<onto_wall<hundredths, tenths, elastic, impulse>>(rebounds, count, 2e-6);
+  check_rebounds<onto_wall<hundredths, tenths, total, euler>>(rebounds, count, 1e-3);
+  check_rebounds<onto_wall<hundredths, tenths, elastic, euler>>(rebounds, count, 1e-3);
+}
+
+TEST_CASE("a wall of its own: rebounds from 5 to 75 degrees") {
+  check_wall<15, 6>({{5, 0.0637529633, 11.70138974, 0.0625257461, 12.31499830},
+                     {15, 0.1943211436, 32.24895074, 0.1963345796, 31.24223277},
+                     {30, 0.3506829797, 74.65851015, 0.3476035572, 76.19822139},
+                     {45, 0.5305513008, 88.27774020, 0.5374011537, 84.85281374},
+                     {60, 0.7411818263, 62.42178873, 0.7460254038, 60.00000000},
+                     {75, 0.9013020353, 32.31189550, 0.9038092555, 31.05828541}});
+  check_wall<50, 8>({{5, 0.0623628671, 12.39643782, 0.0582793651, 14.43818882},
+                     {30, 0.4025578374, 48.72108132, 0.4012748212, 49.36258938},
+                     {45, 0.5572959429, 74.90541913, 0.5590007013, 74.05303996},
+                     {75, 0.7308924235, 117.51670141, 0.7329886857, 116.46857030}});
+}
+
+}  // namespace
+}  // namespace fixdem::tests
