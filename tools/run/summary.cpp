@@ -85,7 +85,7 @@ std::string encode_summary(const CaseFacts& facts, const Options& options, const
   Json capacity = Json::object();
   for (const CapacityUse& use : outcome.capacities)
     capacity[use.name] = {{"limit", use.limit}, {"high_water", use.high_water}};
-  const Json summary = {
+  Json summary = {
       {"case", facts.name},
       {"case_hash", fmt::format("{:016x}", facts.source_hash)},
       {"kernel", facts.kernel},
