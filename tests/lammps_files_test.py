@@ -31,7 +31,9 @@ EXPORT = root / "tools" / "lammps" / "export_lammps.py"
 
 
 def case_of(name, **changed):
-    return read_header(HEADERS / f"{name}.hpp") | changed
+    """As if the case file had said so: walls have what particles have, unless it says otherwise."""
+    walls = {f"wall_{key}": changed[key] for key in ("friction", "restitution") if key in changed}
+    return read_header(HEADERS / f"{name}.hpp") | walls | changed
 
 
 def still(count):
@@ -86,6 +88,17 @@ class Law(unittest.TestCase):
     def test_without_friction_nothing_acts_along_the_tangent(self):
         self.assertIn("tangential linear_nohistory 0.0 0.0", " ".join(commands(case_of("settle", friction=0.0), "pair_coeff")[0]))
 
+    def test_walls_of_their_own(self):
+        case = case_of("settle", wall_friction=0.1, wall_restitution=0.5)
+        beta = -math.log(0.5) / math.hypot(math.pi, math.log(0.5))
+        (pair,), (wall,) = commands(case, "pair_coeff"), commands(case, "fix wall")
+        self.assertEqual((pair[9], wall[11]), ("0.3", "0.1"))
+        self.assertAlmostEqual(tsuji_polynomial(float(wall[7])) / (math.sqrt(5) * beta), 1, places=10)
+        linear = case | {"normal": "linear", "normal_stiffness": 1e5, "tangential_stiffness": 4e4}
+        (pair,), (wall,) = commands(linear, "pair_coeff"), commands(linear, "fix wall")
+        self.assertAlmostEqual(float(wall[7]) / (2 * beta * math.sqrt(law_of(case).mass * 1e5)), 1, places=12)
+        self.assertEqual((pair[10], wall[12]), ("0.3", "0.1"))
+
     def test_linear_law(self):
         case = case_of("settle", normal="linear", normal_stiffness=1e5, tangential_stiffness=4e4)
         mass, beta = law_of(case).mass, -math.log(0.9) / math.hypot(math.pi, math.log(0.9))
@@ -100,6 +113,8 @@ class Law(unittest.TestCase):
     def test_what_cannot_be_given_is_refused_with_a_way_out(self):
         for changed, said, way_out in (
             ({"slider": "paper"}, 'slider = "paper"', '"clip"'),
+            ({"friction_limit": "elastic"}, 'friction_limit = "elastic"', '"total"'),
+            ({"wall_restitution": 0.05}, "wall_restitution = 0.05", "wall_restitution between 0.12"),
             ({"ends": "open"}, 'ends = "open"', '"periodic"'),
             ({"restitution": 0.05}, "restitution = 0.05", "0.12"),
             ({"restitution": 0.99999}, "restitution = 0.99999", "choose 1"),
