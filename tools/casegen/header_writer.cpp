@@ -198,7 +198,12 @@ bool is_reserved(const std::string& name) {
       "using",       "virtual",   "void",       "volatile",  "wchar_t",  "while",        "xor",
       "xor_eq",      "linux",     "unix",       "fixdem",    "cases"};
   if (words.contains(name)) return true;
-  static const std::string members = write_members({}, {});
+  static const std::string members = [] {
+    CaseValues all;  // with every member that a header can have
+    all.wall_friction = all.wall_restitution = 1, all.friction_limit = "elastic";
+    all.tile_steps = all.memory_budget = 1;
+    return write_members(all, {});
+  }();
   const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
   for (auto at = members.find(name); at != std::string::npos; at = members.find(name, at + 1))
     if (!is_letter(members[at - 1]) && !is_letter(members[at + name.size()])) return true;
