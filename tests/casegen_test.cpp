@@ -169,6 +169,7 @@ TEST_CASE("casegen's other options, exit codes and the table of keys in cases/RE
   CHECK(casegen("--name gravity.toml").output == "case_gravity\n");                 // a member of the header
   for (const std::string name : {"wall_friction", "friction_limit", "tile_steps"})  // not in every header
     CHECK(casegen("--name " + name + ".toml").output == "case_" + name + "\n");
+  CHECK(casegen("--name elastic.toml").output == "elastic\n");
   const std::string readme = read(cases + "/README.md"), keys = casegen("--keys").output;
   CHECK_MESSAGE(contains(readme, "<!-- keys table -->\n" + keys + "<!-- end -->"),
                 "put the output of casegen --keys there");

@@ -71,6 +71,10 @@ TEST_CASE("casegen refuses what it would do nothing with: walls where there are 
                 {"with friction = 0; allowed: only with friction"});
   check_refused(with_contact(limit + "\nslider = \"paper\""), "\"elastic\"",
                 {"with slider = \"paper\"; allowed: \"total\"", "use the whole force"});
+  check_refused(
+      with_contact("normal = \"linear\"\nnormal_stiffness = 1e5\ntangential_stiffness = 5e4\ndamping = \"critical\"",
+                   with_material("wall_restitution = 0.5")),
+      "wall_restitution", {"with damping = \"critical\"; allowed: only with \"restitution\""});
   check_refused(with_contact("friction_limit = \"plastic\""), "\"plastic\"", {"\"total\", \"elastic\""});
   check_refused(with_material("wall_friction = -0.1"), "-0.1", {"at least 0"});
   check_refused(with_material("wall_restitution = 0"), "0\n", {"above 0 and at most 1"});

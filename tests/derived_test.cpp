@@ -67,11 +67,13 @@ TEST_CASE("derived: the stiffness of Table 2") {
 }
 
 TEST_CASE("derived: alpha of eq. (30)") {
-  CHECK(std::abs(Derived<with_restitution<900>>::alpha - 0.07495) < 1e-5);
-  CHECK(std::abs(Derived<with_restitution<500>>::alpha - 0.48177) < 1e-5);
-  CHECK(std::abs(Derived<with_restitution<200>>::alpha - 1.01953) < 1e-5);
-  CHECK(Derived<with_restitution<1000>>::alpha == 0);
-  check_same(Derived<with_restitution<100>>::alpha, reference::damping_constant(0.1));
+  using D = Derived<cases::plug_u24>;
+  const auto alpha = [](double e) { return std::sqrt(5.0) * D::damping_ratio(e); };
+  CHECK(std::abs(alpha(0.9) - 0.07495) < 1e-5);
+  CHECK(std::abs(alpha(0.5) - 0.48177) < 1e-5);
+  CHECK(std::abs(alpha(0.2) - 1.01953) < 1e-5);
+  CHECK(alpha(1) == 0);
+  check_same(alpha(0.1), reference::damping_constant(0.1));
 }
 
 TEST_CASE("derived: every coefficient equals the reference's") {

@@ -26,7 +26,7 @@ Events check_small(const char* what, long long steps_before = 3000) {
   const Events events = check_after<Case>(spheres, steps_before, what);
   CHECK(events.begun > 0);
   CHECK(events.ended > 0);
-  if (Case::friction > 0) {
+  if (Derived<Case>::has_rotation) {
     CHECK(events.sliding > 0);
     CHECK(events.sticking > 0);
   }

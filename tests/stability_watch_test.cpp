@@ -61,7 +61,7 @@ TEST_CASE("stability watch: a sphere on a wall, and two spheres, allow what thei
 
 TEST_CASE("stability watch: damping takes from the step what the criterion says") {
   CaseFacts facts = case_facts<cases::settle>();
-  facts.friction = 0;  // normal springs only: h^2 k + factor h c = 4
+  facts.pair_contact.friction = facts.wall_contact.friction = 0;  // normal springs only: h^2 k + factor h c = 4
   const TangentSpring s = tangent_spring(facts.normal, facts.wall_contact, overlap);
   for (const StepCriterion& criterion : step_criteria) {
     const double k = s.stiffness / facts.mass, c = criterion.normal_damping * s.damping / facts.mass;

@@ -28,7 +28,7 @@ void place_agitated(Simulation& simulation) {
     p.position[1] = (corner / 2 == 0 ? -0.6 : 0.6) * d + 0.05 * d * uniform();
     p.position[2] = (layer + 0.6) * 1.1 * d;
     for (int c = 0; c < 3; ++c) p.velocity[c] = uniform();
-    if (Case::friction > 0)
+    if (Derived<Case>::has_rotation)
       for (int c = 0; c < 3; ++c) p.angular_velocity[c] = 100 * uniform();
     simulation.place(id, p);
   }

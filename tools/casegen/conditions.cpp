@@ -114,6 +114,11 @@ void check_walls_and_friction(const Reading& reading, Report& report) {
             fmt::format("{} with [pipe] wall = false and ends = \"periodic\"; allowed: only where there are walls",
                         reading.quote(key)),
             "remove it, which would do nothing");
+  if (v.damping == "critical" && reading.has("material.wall_restitution") && reading.usable({"contact.damping"}))
+    report.error(reading.place("material.wall_restitution"),
+                 fmt::format("{} with damping = \"critical\"; allowed: only with \"restitution\"",
+                             reading.quote("material.wall_restitution")),
+                 "remove it, which would do nothing: critical damping asks for no restitution");
   if (v.friction_limit == "total" || !reading.has("contact.friction_limit")) return;
   if (!v.has_rotation() && reading.usable({"material.friction", "material.wall_friction"}))
     report.error(

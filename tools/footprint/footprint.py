@@ -2,6 +2,7 @@
 """Measures the stripped scene and every case, and rewrites the two tables in kernel/README.md: make footprint."""
 
 import argparse
+import re
 import sys
 from pathlib import Path
 
@@ -32,7 +33,7 @@ def parts_of(header):
         name
         for name, present in [
             ("gas", is_set("has_gas = true")),
-            ("friction", not is_set("friction = 0x0p+0")),
+            ("friction", any(value != "0x0p+0" for value in re.findall(r" (?:wall_)?friction = ([^;]+);", header))),
             ("wall", is_set("has_wall = true")),
             ("closed ends" if is_set("Ends::closed") else "periodic ends", True),
             ("ledger", is_set("energy_ledger = true")),

@@ -19,6 +19,9 @@ frontier_steps_of_laws := 10,100,1000,5000
 frontier_steps_of_bodies := 1000,2000,5000,10000
 frontier_gas_intervals := 200,5000,20000  # thousandths of the case's interval, at the case's time step
 
+# Equations (10) to (12) to the letter know no other limit of friction than the whole force.
+frontier_limit := $(shell grep -qs '^ *friction_limit *= *"elastic"' $(case_file) && echo elastic)
+
 frontier := $(case_build)/frontier/$(case_name)$(if $(QUICK),-quick)
 ifdef QUICK
 frontier_curves := euler.clip.double leapfrog.clip.double
@@ -29,6 +32,10 @@ frontier_steps_of_bodies := 1000,5000
 frontier_bodies_flags := -Og
 else
 frontier_bodies_flags := -O3
+endif
+
+ifneq ($(frontier_limit),)
+frontier_laws := $(filter-out %.paper.double,$(frontier_laws))
 endif
 
 frontier_gas := $(if $(QUICK),,$(shell grep -qs '^ *\[gas\]' $(case_file) && echo gas.euler.clip.double))

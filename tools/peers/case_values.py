@@ -49,7 +49,8 @@ def read_header(header):
     """The members of the struct in a header of casegen: name -> value; what it leaves out has its default."""
     text = Path(header).read_text()
     case = {name: value_of(value) for name, _, value in MEMBER.findall(text)}
-    missing = [key for key in ("normal", "ends", "friction", "restitution", "particle_count", "diameter", "pipe_diameter", "gravity", "time_step") if key not in case]
+    needed = [*REQUIRED, "friction", "restitution", "particle_count", "diameter", "pipe_diameter", "gravity", "time_step"]
+    missing = [key for key in needed if key not in case and key != "friction_limit"]
     if missing:
         raise SystemExit(f"{header}: no {', '.join(missing)} in it: not a header of casegen, or one of another version")
     own = {"wall_friction": case["friction"], "wall_restitution": case["restitution"], "friction_limit": "total"}

@@ -109,7 +109,8 @@ StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, c
   for (const Contact& contact : contacts) {
     const ContactCoefficients& kind = contact.partner >= 0 ? facts.pair_contact : facts.wall_contact;
     springs.push_back(tangent_spring(facts.normal, kind, contact.overlap));
-    held.push_back(springs.back().stiffness + springs.back().tangential_stiffness +
+    const double root = facts.normal == NormalLaw::linear ? 1 : std::sqrt(contact.overlap);
+    held.push_back(springs.back().stiffness + kind.tangential_stiffness * root +  // whether there is friction or not
                    criterion.normal_damping * springs.back().damping / facts.time_step);
   }
   const std::vector<double> weight = weights_of(facts.particle_count, contacts, held);

@@ -58,6 +58,8 @@ def verdicts(summary, log, case):
     collision = summary["collision"]
     if collision and collision["restitution"] is not None:
         asked = case["material"]["restitution"]
+        if case["particles"]["count"] == 1:  # only a wall can have been hit
+            asked = case["material"].get("wall_restitution", asked)
         off = collision["restitution"] - asked
         rows.append(entry("restitution of the first collision", f"{collision['restitution']:.5f}", f"{off:+.1e} from the case's", f"the case asks for {asked:g} along the normal"))
     return rows

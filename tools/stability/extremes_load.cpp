@@ -42,7 +42,8 @@ Row denormal() {
   auto particles = two_and_one(0);
   particles[1].position[2] = particles[0].position[2] + std::nextafter(d, 0.0);
   for (Particle& p : particles)
-    for (int c = 0; c < 3; ++c) p.velocity[c] = 1e-310, p.angular_velocity[c] = Small::friction > 0 ? -3e-312 : 0;
+    for (int c = 0; c < 3; ++c)
+      p.velocity[c] = 1e-310, p.angular_velocity[c] = Derived<Small>::has_rotation ? -3e-312 : 0;
   return run_scene<Small>(particles, 2000, false, 50);
 }
 

@@ -46,16 +46,17 @@ std::vector<Scene> scenes() {
 #elif FIXDEM_GROUP == 2
 template <int percent>
 struct restitution_of : Small {
-  static constexpr double restitution = percent / 100.0;
+  static constexpr double restitution = percent / 100.0, wall_restitution = restitution;
 };
 struct friction_0 : Small {
-  static constexpr double friction = 0;
+  static constexpr double friction = 0, wall_friction = 0;
+  static constexpr FrictionLimit friction_limit = FrictionLimit::total;
 };
 struct friction_small : Small {
-  static constexpr double friction = 1e-6;
+  static constexpr double friction = 1e-6, wall_friction = friction;
 };
 struct friction_10 : Small {
-  static constexpr double friction = 10;
+  static constexpr double friction = 10, wall_friction = friction;
 };
 
 std::vector<Scene> scenes() {

@@ -106,7 +106,8 @@ void collision_limits(double speed, Table& table) {
         const double measured =
             measured_limit(0.02 * contact_time, 0.1 * contact_time, 0.005, [&] { return collision_is_stable(impact); });
         table.row("{} at {:.3g} m/s and {:.0f} degrees,{},{},{},{:.5g},{:.5g},{:.5g}", is_pair ? "pair" : "wall", speed,
-                  degrees, criterion.name, kind(criterion), Case::restitution, predicted, bound, measured);
+                  degrees, criterion.name, kind(criterion),
+                  is_pair ? Case::restitution : Derived<Case>::wall_restitution, predicted, bound, measured);
       }
     }
 }
@@ -140,6 +141,7 @@ void grazing(bool is_quick, Table& table) {
           VariableCase::integrator = Integrator::leapfrog;
           VariableCase::poisson_ratio = VariableCase::wall_poisson_ratio = nu;
           const auto c = coefficients_of(is_pair);
+          if (c.friction == 0) continue;
           const Impact impact{is_pair, 1, degrees * pi / 180};
           VariableCase::time_step = program::contact_time(facts_at_present(), std::cos(impact.angle)) / 1000;
           const Rebound r = rebound(impact, 0.5);

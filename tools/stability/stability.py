@@ -90,7 +90,7 @@ def confirm(report, scratch, found):
             for factor in (0.99, 1.01):
                 step = float(f"{factor * float(row['measured limit [s]']):.4g}")
                 wanted.append((row["integrator"], factor, step))
-    names = [f"kernel_runs+TIME_STEP@{step:g}+INTEGRATOR@{integrator}+STILL@1" for integrator, _, step in wanted]
+    names = [f"kernel_runs+TIME_STEP@{step:g}+INTEGRATOR@{integrator}+RESTITUTION@{found['restitution']:g}+STILL@1" for integrator, _, step in wanted]
     report.build(names)
     rows = []
     for name, (integrator, factor, step) in zip(names, wanted):
