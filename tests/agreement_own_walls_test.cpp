@@ -1,4 +1,5 @@
-// Kernel against reference: walls with friction and restitution of their own, and the elastic limit of friction.
+// Kernel against reference (mixed precision: own_walls_test.cpp): walls with friction and restitution of their own, and
+// the elastic limit of friction.
 #include "small_scene.hpp"
 
 namespace fixdem::tests {
@@ -41,9 +42,6 @@ struct linear : small_closed {
   static constexpr NormalLaw normal = NormalLaw::linear;
   static constexpr double normal_stiffness = 1e6, tangential_stiffness = 5e5;
 };
-struct mixed : small_closed {
-  static constexpr Precision precision = Precision::mixed_precision;
-};
 
 TEST_CASE("agreement: walls of their own") {
   check_small<own_walls<small_periodic>>("walls of their own");
@@ -51,7 +49,6 @@ TEST_CASE("agreement: walls of their own") {
   check_small<own_walls<forces>>("walls of their own, force, leapfrog");
   check_small<own_walls<impulses>>("walls of their own, impulse");
   check_small<own_walls<linear>>("walls of their own, linear");
-  check_small<own_walls<mixed>>("walls of their own, mixed");
 }
 
 TEST_CASE("agreement: friction at the walls alone, or between particles alone") {
@@ -60,7 +57,6 @@ TEST_CASE("agreement: friction at the walls alone, or between particles alone") 
   check_small<slick_particles<small_closed>>("slick particles");
   check_small<slick_particles<forces>>("slick particles, force, leapfrog");
   check_small<slick_particles<impulses>>("slick particles, impulse");
-  check_small<slick_particles<mixed>>("slick particles, mixed");
 }
 
 TEST_CASE("agreement: friction limited by the elastic force") {
@@ -69,7 +65,6 @@ TEST_CASE("agreement: friction limited by the elastic force") {
   check_small<elastic_limit<forces>>("elastic limit, force, leapfrog");
   check_small<elastic_limit<exact>>("elastic limit, exact");
   check_small<elastic_limit<impulses>>("elastic limit, impulse");
-  check_small<elastic_limit<mixed>>("elastic limit, mixed");
 }
 
 }  // namespace

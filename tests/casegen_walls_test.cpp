@@ -10,8 +10,8 @@ namespace {
 std::string with_material(const std::string& line) {
   return replaced(good_case, "friction = 0.3", "friction = 0.3\n" + line);
 }
-std::string with_contact(const std::string& line, std::string text = good_case) {
-  return text + "\n[contact]\n" + line + "\n";
+std::string with_contact(const std::string& line, const std::string& text = good_case) {
+  return replaced(text, "[contact]\n", "[contact]\n" + line + "\n");
 }
 
 std::string printed(const std::string& text) {
@@ -38,7 +38,7 @@ std::string members(const std::string& header) {
 std::string bare(std::string text) {
   const auto gas = text.find("[gas]"), start = text.find("[start]");
   text.erase(gas, start - gas);
-  return replaced(text, "ends = \"periodic\"", "ends = \"periodic\"\nwall = false");
+  return replaced(text, "wall = true", "wall = false");
 }
 
 }  // namespace
@@ -69,12 +69,11 @@ TEST_CASE("casegen refuses what it would do nothing with: walls where there are 
   const std::string limit = "friction_limit = \"elastic\"";
   check_refused(with_contact(limit, replaced(good_case, "friction = 0.3", "friction = 0")), "\"elastic\"",
                 {"with friction = 0; allowed: only with friction"});
-  check_refused(with_contact(limit + "\nslider = \"paper\""), "\"elastic\"",
+  check_refused(with_contact(limit, replaced(good_case, "\"exact\"", "\"paper\"")), "\"elastic\"",
                 {"with slider = \"paper\"; allowed: \"total\"", "use the whole force"});
-  check_refused(
-      with_contact("normal = \"linear\"\nnormal_stiffness = 1e5\ntangential_stiffness = 5e4\ndamping = \"critical\"",
-                   with_material("wall_restitution = 0.5")),
-      "wall_restitution", {"with damping = \"critical\"; allowed: only with \"restitution\""});
+  check_refused(with_contact("normal_stiffness = 1e5\ntangential_stiffness = 5e4\ndamping = \"critical\"",
+                             replaced(with_material("wall_restitution = 0.5"), "\"hertz\"", "\"linear\"")),
+                "wall_restitution", {"with damping = \"critical\"; allowed: only with \"restitution\""});
   check_refused(with_contact("friction_limit = \"plastic\""), "\"plastic\"", {"\"total\", \"elastic\""});
   check_refused(with_material("wall_friction = -0.1"), "-0.1", {"at least 0"});
   check_refused(with_material("wall_restitution = 0"), "0\n", {"above 0 and at most 1"});

@@ -55,8 +55,8 @@ template <int hundredths, int tenths, int count>
 void check_wall(const Rebound (&rebounds)[count]) {
   using enum FrictionLimit;
   using enum Integrator;
-  check_rebounds<onto_wall<hundredths, tenths, total, impulse>>(rebounds, count, 2e-6);
-  check_rebounds<onto_wall<hundredths, tenths, elastic, impulse>>(rebounds, count, 2e-6);
+  check_rebounds<onto_wall<hundredths, tenths, total, impulse>>(rebounds, count, 2e-4);
+  check_rebounds<onto_wall<hundredths, tenths, elastic, impulse>>(rebounds, count, 2e-4);
   check_rebounds<onto_wall<hundredths, tenths, total, euler>>(rebounds, count, 1e-3);
   check_rebounds<onto_wall<hundredths, tenths, elastic, euler>>(rebounds, count, 1e-3);
 }
