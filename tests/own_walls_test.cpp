@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "impact_scene.hpp"
+#include "mixed.hpp"
 
 namespace fixdem::tests {
 namespace {
@@ -57,6 +58,8 @@ void check_wall(const Rebound (&rebounds)[count]) {
   using enum Integrator;
   check_rebounds<onto_wall<hundredths, tenths, total, impulse>>(rebounds, count, 2e-4);
   check_rebounds<onto_wall<hundredths, tenths, elastic, impulse>>(rebounds, count, 2e-4);
+  check_rebounds<in_mixed_precision<onto_wall<hundredths, tenths, total, impulse>>>(rebounds, count, 3e-4);
+  check_rebounds<in_mixed_precision<onto_wall<hundredths, tenths, elastic, impulse>>>(rebounds, count, 3e-4);
   check_rebounds<onto_wall<hundredths, tenths, total, euler>>(rebounds, count, 1e-3);
   check_rebounds<onto_wall<hundredths, tenths, elastic, euler>>(rebounds, count, 1e-3);
 }
