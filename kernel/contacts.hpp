@@ -12,6 +12,7 @@
 // no scatter, and the order of every sum is fixed.
 #pragma once
 
+#include "capacity.hpp"
 #include "contact_law.hpp"
 #include "particles.hpp"
 #include "rows.hpp"

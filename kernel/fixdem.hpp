@@ -13,6 +13,7 @@
 #include "consistency.hpp"
 #include "memory.hpp"
 #include "observe.hpp"
+#include "refusals.hpp"
 
 namespace fixdem {
 

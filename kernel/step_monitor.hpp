@@ -6,7 +6,7 @@
 // gives joules.
 #pragma once
 
-#include "case.hpp"
+#include "capacity.hpp"
 #include "lanes.hpp"
 
 namespace fixdem {

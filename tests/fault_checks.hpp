@@ -9,6 +9,7 @@
 #include <cstring>
 #include <string>
 
+#include "cases/pipe_bed.hpp"
 #include "guarded.hpp"
 #include "loop_end.hpp"
 #include "program_run.hpp"
@@ -21,13 +22,27 @@
 
 namespace fixdem::tests {
 
+struct few : cases::pipe_bed {
+  static constexpr int particle_count = 4;
+  static constexpr double gravity[3] = {0, 0, 0};
+  static constexpr double pipe_length = 0.2;
+};
+inline constexpr double d = few::diameter;
+
+/// Four spheres well apart, at rest.
+inline Spheres apart() {
+  Spheres spheres(4);
+  for (int k = 0; k < 4; ++k) spheres[k].position[2] = 0.02 + 0.04 * k;
+  return spheres;
+}
+
 struct Expected {
   Fault fault;
   int particle;
   double value, limit;
 };
 
-void check_status(const Status& status, const Expected& expected) {
+inline void check_status(const Status& status, const Expected& expected) {
   CHECK(status.fault == expected.fault);
   CHECK(status.particle == expected.particle);
   if (std::isnan(expected.value)) {

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "checks.hpp"
-#include "kernel/case.hpp"
+#include "kernel/capacity.hpp"
 
 namespace fixdem::casegen {
 namespace {

@@ -1,0 +1,61 @@
+// What does not compile: a case that makes no sense, with a message that says what to change.
+//
+// Casegen refuses the same with file and line before a compiler sees it; this is for cases written by hand.
+#pragma once
+
+#include "capacity.hpp"
+
+namespace fixdem {
+
+template <class Case>
+struct Checked {
+  static_assert(Case::particle_count >= 1, "fixdem: [particles] count must be at least 1");
+  static_assert(Case::diameter > 0 && Case::density > 0, "fixdem: [particles] diameter and density must be positive");
+  static_assert(Case::diameter < Case::pipe_diameter,
+                "fixdem: the particle is wider than the pipe: lower [particles] diameter or raise [pipe] diameter");
+  static_assert(Case::restitution > 0 && Case::restitution <= 1,
+                "fixdem: [material] restitution must be above 0 and at most 1");
+  static_assert(Case::friction >= 0, "fixdem: [material] friction must not be negative");
+  static_assert(Derived<Case>::wall_restitution > 0 && Derived<Case>::wall_restitution <= 1,
+                "fixdem: [material] wall_restitution must be above 0 and at most 1");
+  static_assert(Derived<Case>::wall_friction >= 0, "fixdem: [material] wall_friction must not be negative");
+  static_assert(Derived<Case>::has_walls || (Derived<Case>::wall_friction == Case::friction &&
+                                             Derived<Case>::wall_restitution == Case::restitution),
+                "fixdem: [material] wall_friction and wall_restitution need a wall: set [pipe] wall = true or ends = "
+                "\"closed\", or remove them");
+  static_assert(Case::damping != Damping::critical || Derived<Case>::wall_restitution == Case::restitution,
+                "fixdem: [material] wall_restitution says nothing with damping = \"critical\": remove it");
+  static_assert(Derived<Case>::friction_limit == FrictionLimit::total || Derived<Case>::has_rotation,
+                "fixdem: friction_limit = \"elastic\" needs [material] friction above 0");
+  static_assert(
+      Derived<Case>::friction_limit == FrictionLimit::total || Case::slider != Slider::paper,
+      "fixdem: friction_limit = \"elastic\" needs slider = \"clip\" or \"exact\": eqs. (10)-(12) to the letter use "
+      "the whole force");
+  static_assert(Capacity<Case>::chunk_size <= largest_chunk,
+                "fixdem: a slice of the pipe holds too many particles: lower [pipe] diameter or [particles] count");
+  static_assert(Case::normal != NormalLaw::hertz || (Case::poisson_ratio >= 0 && Case::poisson_ratio <= 0.5),
+                "fixdem: [material] poisson_ratio must lie between 0 and 0.5");
+  static_assert(Case::normal != NormalLaw::hertz || Case::youngs_modulus > 0,
+                "fixdem: [material] youngs_modulus must be positive");
+  static_assert(Case::normal != NormalLaw::linear || (Case::normal_stiffness > 0 && Case::tangential_stiffness > 0),
+                "fixdem: normal = \"linear\" needs [contact] normal_stiffness and tangential_stiffness above 0");
+  static_assert(Case::damping != Damping::critical || Case::normal == NormalLaw::linear,
+                "fixdem: damping = \"critical\" belongs to normal = \"linear\"; with \"hertz\" use \"restitution\"");
+  static_assert(Case::integrator != Integrator::impulse || Case::slider != Slider::paper,
+                "fixdem: integrator = \"impulse\" needs slider = \"exact\" or \"clip\": with \"paper\" impacts do not "
+                "converge, so nothing would be gained");
+  static_assert(Case::ends != Ends::periodic || Case::pipe_length >= 4 * Case::diameter,
+                "fixdem: a periodic pipe must be at least 4 particle diameters long: raise [pipe] length");
+  static_assert(Case::ends != Ends::closed || Case::pipe_length >= 2 * Case::diameter,
+                "fixdem: a closed pipe must be at least 2 particle diameters long: raise [pipe] length");
+  static_assert(!Case::has_gas || Case::has_wall, "fixdem: the gas model needs the pipe wall: set [pipe] wall = true");
+  static_assert(
+      !Case::has_gas || gas_takes_gravity(Case::gravity, Case::particle_count > 1),
+      "fixdem: the gas model takes the height of the bed along y: with gas, [run] gravity must be [0, -g, 0]");
+  static_assert(Case::time_step > 0, "fixdem: [run] time_step must be positive");
+  static_assert(Case::neighbour_capacity >= 2 && Case::neighbour_capacity <= 30,
+                "fixdem: [capacity] neighbours must lie between 2 and 30");
+  static constexpr bool ok = true;
+};
+
+}  // namespace fixdem
