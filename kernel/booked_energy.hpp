@@ -6,7 +6,8 @@
 //   damping   D.u dt with its mean, D the force of both dampings;
 //   sliding   (s + s')/2 . (slip that the spring did not take up), s and s' the spring's force now and a step ago;
 //   law       the change of the spring's energy s^2 / (2 k_t), less the work (s + s')/2 . slip done on it, plus what
-//             sliding took: what the law makes (above zero) or loses because k_t follows the overlap.
+//             sliding took: what the law makes (above zero) or loses because k_t follows the overlap;
+//   rolling   damping and sliding of the rolling spring (rolling.hpp); what its stiffness makes is part of law.
 // For conservative forms all three are of second order in the step; what other contacts change is of first order.
 //
 // Summed in double always: of dense ranges per lane of a batch, of sparse ranges in eight partial sums by the number of
@@ -20,41 +21,55 @@
 
 namespace fixdem {
 
+namespace detail {
+/// What a contact books, in the order of LedgerEntry.
+template <class Case, class V, class F>
+FIXDEM_INLINE void for_each_entry(const ContactForce<V>& f, F&& book) {
+  book(damping_power, f.damping_power);
+  book(sliding_work, f.sliding_work);
+  if constexpr (Derived<Case>::has_rolling) {
+    book(law_work, f.law_work + f.rolling.law_work);
+    book(rolling_work, f.rolling.work);
+  } else {
+    book(law_work, f.law_work);
+  }
+}
+}  // namespace detail
+
 template <class Case, int W, bool present = Case::energy_ledger>
 struct BookedEnergy {
   static constexpr int lanes = Capacity<Case>::batch, doubles = is_mixed<Case> && W > 1 ? W / 2 : W;
-  Partials<doubles, lanes> damping_power, sliding_work, law_work;
-  FIXDEM_INLINE explicit BookedEnergy(const StepMonitor<Case>& monitor)
-      : damping_power(monitor.ledger.damping_power),
-        sliding_work(monitor.ledger.sliding_work),
-        law_work(monitor.ledger.law_work) {}
+  static constexpr int entries = ledger_entries<Case>, parts = lanes / doubles;
+  Lanes<doubles> part[entries][parts];
+  FIXDEM_INLINE explicit BookedEnergy(const StepMonitor<Case>& monitor) {
+    for (int e = 0; e < entries; ++e)
+      for (int p = 0; p < parts; ++p) part[e][p] = load<Lanes<doubles>>(monitor.ledger.entry[e] + p * doubles);
+  }
   FIXDEM_INLINE void put_back(StepMonitor<Case>& monitor) const {
-    damping_power.put_back(monitor.ledger.damping_power);
-    sliding_work.put_back(monitor.ledger.sliding_work);
-    law_work.put_back(monitor.ledger.law_work);
+    for (int e = 0; e < entries; ++e)
+      for (int p = 0; p < parts; ++p) store(monitor.ledger.entry[e] + p * doubles, part[e][p]);
   }
   /// Of W contacts from `lane` of their batch on, the first `valid`: lanes behind the last contact of a range repeat
   /// it.
   template <class V>
   FIXDEM_INLINE void book(int lane, int valid, const ContactForce<V>& f) {
     const auto counts = load<V>(lane_numbers) < splat<V>(valid);
-    add(damping_power, lane, where(counts, f.damping_power));
-    add(sliding_work, lane, where(counts, f.sliding_work));
-    add(law_work, lane, where(counts, f.law_work));
+    detail::for_each_entry<Case>(
+        f, [&](int entry, V value) FIXDEM_INLINE_LAMBDA { add(part[entry], lane, where(counts, value)); });
   }
 
  private:
   alignas(64) static constexpr Real<Case> lane_numbers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
   template <class V>
-  static FIXDEM_INLINE void add(Partials<doubles, lanes>& sums, int lane, V value) {
+  static FIXDEM_INLINE void add(Lanes<doubles> (&sums)[parts], int lane, V value) {
     if constexpr (is_mixed<Case>) {
       alignas(64) float values[W];
       store(values, value);
       for (int k = 0; k < W; k += doubles)
-        sums.part[(lane + k) / doubles] = sums.part[(lane + k) / doubles] + load_wide<doubles>(values + k);
+        sums[(lane + k) / doubles] = sums[(lane + k) / doubles] + load_wide<doubles>(values + k);
     } else {
-      sums.part[lane / W] = sums.part[lane / W] + value;
+      sums[lane / W] = sums[lane / W] + value;
     }
   }
 };
@@ -69,19 +84,15 @@ struct BookedEnergy<Case, W, false> {
 /// Entries of packed contacts, until they are summed.
 template <class Case, int Room, bool present = Case::energy_ledger>
 struct EnergyEntries {
-  alignas(64) Real<Case> damping_power[Room], sliding_work[Room], law_work[Room];
+  alignas(64) Real<Case> entry[ledger_entries<Case>][Room];
   template <class V>
   FIXDEM_INLINE void put(int k, const ContactForce<V>& f) {
-    store(damping_power + k, f.damping_power);
-    store(sliding_work + k, f.sliding_work);
-    store(law_work + k, f.law_work);
+    detail::for_each_entry<Case>(f, [&](int e, V value) FIXDEM_INLINE_LAMBDA { store(entry[e] + k, value); });
   }
   /// Those of the contacts from `begin` to `end`, which are of one range; the first of them is its `number`-th. Each
   /// goes to the partial sum of its number, eight at a time.
   void sum(int begin, int end, int number, StepMonitor<Case>& monitor) const {
-    add(damping_power, begin, end, number, monitor.ledger.damping_power);
-    add(sliding_work, begin, end, number, monitor.ledger.sliding_work);
-    add(law_work, begin, end, number, monitor.ledger.law_work);
+    for (int e = 0; e < ledger_entries<Case>; ++e) add(entry[e], begin, end, number, monitor.ledger.entry[e]);
   }
 
  private:

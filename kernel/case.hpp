@@ -62,27 +62,23 @@ struct Derived {
   static constexpr bool is_periodic = Case::ends == Ends::periodic;
   static constexpr bool is_hertz = Case::normal == NormalLaw::hertz;
 
-  // What a case may say of its walls; the particles' own where it says nothing.
-  static constexpr double wall_friction = [] {
-    if constexpr (requires { Case::wall_friction; })
-      return Case::wall_friction;
-    else
-      return Case::friction;
-  }();
-  static constexpr double wall_restitution = [] {
-    if constexpr (requires { Case::wall_restitution; })
-      return Case::wall_restitution;
-    else
-      return Case::restitution;
-  }();
-  static constexpr FrictionLimit friction_limit = [] {
-    if constexpr (requires { Case::friction_limit; })
-      return Case::friction_limit;
-    else
-      return FrictionLimit::total;
-  }();
+  // What a case need not say: its own member, or what holds without it.
+#define FIXDEM_SAID(type, member, otherwise)  \
+  static constexpr type member = [] {         \
+    if constexpr (requires { Case::member; }) \
+      return Case::member;                    \
+    else                                      \
+      return otherwise;                       \
+  }()
+  FIXDEM_SAID(double, wall_friction, Case::friction);
+  FIXDEM_SAID(double, wall_restitution, Case::restitution);
+  FIXDEM_SAID(FrictionLimit, friction_limit, FrictionLimit::total);
+  FIXDEM_SAID(double, rolling_friction, 0.0);  ///< tangent of the slope on which a sphere just does not roll
+  FIXDEM_SAID(double, wall_rolling_friction, (wall_friction > 0 ? rolling_friction : 0.0));
+#undef FIXDEM_SAID
   /// Whether particles rotate. A kind of contact without friction has no tangential law and no history (ContactLaw).
   static constexpr bool has_rotation = Case::friction > 0 || (has_walls && wall_friction > 0);
+  static constexpr bool has_rolling = rolling_friction > 0 || (has_walls && wall_rolling_friction > 0);
 
   static constexpr double shear_modulus = Case::youngs_modulus / (2 * (1 + Case::poisson_ratio));  // eq. (20)
 

@@ -13,10 +13,7 @@
 // contact; it is zeroed when the contact opens. Lanes without overlap give exactly zero force.
 #pragma once
 
-#include "case.hpp"
-#include "slider.hpp"
-#include "spring_energy.hpp"
-#include "springs.hpp"
+#include "rolling.hpp"
 
 namespace fixdem {
 
@@ -26,9 +23,14 @@ struct ContactLaw {
   using D = Derived<Case>;
   static constexpr double friction = is_wall ? D::wall_friction : Case::friction;
   static constexpr bool has_friction = friction > 0;
+  static constexpr double rolling_friction = is_wall ? D::wall_rolling_friction : D::rolling_friction;
+  static constexpr bool has_rolling = has_friction && rolling_friction > 0;
   static constexpr double scale = Case::time_step / D::mass;
   static constexpr double bodies = is_wall ? 1 : 2;       ///< that the force moves
   static constexpr double bodies_of_slip = 3.5 * bodies;  ///< a tangential force changes the spin, too: 1 + r^2 m / I
+  static constexpr double rolling_lever = 1 / bodies;     ///< reduced radius over radius
+  static constexpr double bodies_of_rolling =
+      2.5 * rolling_lever;  ///< a torque changes the rolling velocity: r^2 m / I
   static constexpr double stiffness = scale * (is_wall ? D::stiffness_wall : D::stiffness_pair);
   static constexpr double tangential_stiffness =
       scale * (is_wall ? D::tangential_stiffness_wall : D::tangential_stiffness_pair);
@@ -38,13 +40,17 @@ struct ContactLaw {
 
   /// Numbers kept per contact and lane, and their places. With friction: the vector of the spring; with `impulse` that
   /// of the last surface velocity; with `rescale` or an energy ledger the last k_t; with `exact` the last limit of the
-  /// spring. With `impulse`, friction or not, the last value of the damping's state function.
+  /// spring. With `impulse`, friction or not, the last value of the damping's state function. With rolling resistance
+  /// the vector of its spring, and with `impulse` its own last k_t, if that is kept.
   static constexpr int history_vectors = !has_friction ? 0 : (takes_impulses<Case> ? 2 : 1);
   static constexpr int state_function_place = 3 * history_vectors;
   static constexpr int stiffness_place = state_function_place + (takes_impulses<Case> ? 1 : 0);
-  static constexpr int limit_place =
-      stiffness_place + (has_friction && (Case::tangential == TangentialLaw::rescale || Case::energy_ledger) ? 1 : 0);
-  static constexpr int history_size = limit_place + (has_friction && Case::slider == Slider::exact ? 1 : 0);
+  static constexpr bool keeps_stiffness =
+      has_friction && (Case::tangential == TangentialLaw::rescale || Case::energy_ledger);
+  static constexpr bool keeps_rolling_stiffness = keeps_stiffness && has_rolling && takes_impulses<Case>;
+  static constexpr int limit_place = stiffness_place + (keeps_stiffness ? 1 : 0);
+  static constexpr int rolling_place = limit_place + (has_friction && Case::slider == Slider::exact ? 1 : 0);
+  static constexpr int history_size = rolling_place + (has_rolling ? 3 : 0) + (keeps_rolling_stiffness ? 1 : 0);
 };
 
 template <class Case>
@@ -56,16 +62,6 @@ inline constexpr bool keeps_history = ContactLaw<Case, false>::history_size > 0 
 template <class Case>
 inline constexpr bool looks_back = takes_impulses<Case> || (Case::energy_ledger && Derived<Case>::has_rotation);
 
-/// What a contact remembers.
-template <class V>
-struct History {
-  Vec3<V> spring;                 ///< tangential displacement, or scaled spring force
-  V last_tangential_stiffness{};  ///< `rescale` and energy ledger only; zero: none yet
-  V last_limit{};                 ///< `exact` only: maximum length of the spring in the last step if it slid, or zero
-  Vec3<V> last_velocity{};        ///< `impulse` only: surface velocity in the last step, m/s
-  V state_function{};             ///< `impulse` only: of the damping at the end of the last step
-};
-
 /// Scaled force on the owner, and the entries of this step in the ledger (booked_energy.hpp), where the case keeps one.
 template <class V>
 struct ContactForce {
@@ -73,70 +69,8 @@ struct ContactForce {
   V damping_power{};  ///< scaled force times velocity
   V sliding_work{};   ///< scaled force times displacement
   V law_work{};       ///< likewise; what the tangential law makes
+  RollingStep<V> rolling{};
 };
-
-/// Square of the share out of the tangent plane from which turning counts: it then shortens the kept vector by more
-/// than half a unit in the last place.
-template <class V>
-inline constexpr double turning_square = sizeof(Element<V>) == sizeof(double) ? 0x1p-54 : 0x1p-25;
-
-/// At the present overlap; notes the stiffness where it is kept.
-template <class Law, class Case, class V, class Mask>
-FIXDEM_INLINE TangentialSpring<V> tangential_spring(const Springs<V>& k, Mask touching, History<V>& history) {
-  constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
-  TangentialSpring<V> s{k.tangential_stiffness, splat<V>(Case::time_step), splat<V>(1.0), k.damping};
-  if constexpr (!keeps_displacement) {
-    s.to_force = where(touching, splat<V>(1.0));  // a contact that has opened still holds its last force
-    s.gain = constant<V>(Case::time_step) * k.tangential_stiffness;
-  }
-  if constexpr (Law::tangential_damping != Law::damping)
-    s.damping = constant<V>(Law::tangential_damping / Law::damping) * k.damping;
-  if constexpr (Case::tangential == TangentialLaw::rescale) {
-    const auto unloading = k.tangential_stiffness < history.last_tangential_stiffness;
-    s.ratio = select(unloading, k.tangential_stiffness / history.last_tangential_stiffness, s.ratio);
-  }
-  if constexpr (Law::limit_place > Law::stiffness_place) history.last_tangential_stiffness = k.tangential_stiffness;
-  return s;
-}
-
-/// Square of the sine of the angle by which a contact may turn in one step before lengths are restored by a root.
-inline constexpr double maximum_turn = 1e-4;
-
-/// How a contact_force call deals with lanes that slide: computes them, or reports one and leaves the whole call to be
-/// repeated by `at_rest`. In these two no lane may turn by an angle that counts (NearList::is_still), and none is
-/// looked at for it, so that a lane has the same bits whichever of them it goes through.
-enum class SlidingLanes { computed, reported, at_rest };
-
-/// The kept vector projected on the tangent plane and grown by `gain` times the slip. Projection shortens the kept
-/// vector h by the factor sqrt(1 - q), q = (h.n)^2 / h^2; where that is more than half a unit in the last place, its
-/// inverse is made up for by a series, good to 3e-17 up to `maximum_turn`, and beyond by a root.
-template <class Case, SlidingLanes mode, class V, class Normal>
-FIXDEM_INLINE Vec3<V> stuck_spring(const TangentialSpring<V>& s, V gain, const Vec3<V>& kept, const Normal& n,
-                                   const Vec3<V>& u, V normal_velocity) {
-  const V out_of_plane = dot(kept, n);
-  Vec3<V> spring;
-  if constexpr (Case::tangential == TangentialLaw::displacement) {
-    spring = add_scaled(kept, gain, u);
-    spring = subtract_scaled(spring, fused(gain, normal_velocity, out_of_plane), n);
-  } else {
-    spring = scale(s.ratio, subtract_scaled(kept, out_of_plane, n));
-    spring = subtract_scaled(add_scaled(spring, gain, u), gain * normal_velocity, n);
-  }
-  if constexpr (mode == SlidingLanes::computed) {
-    const V turn = out_of_plane * out_of_plane;
-    const V counts = constant<V>(turning_square<V>) * dot(spring, spring);
-    if (any_below(counts, turn)) {
-      const V square = dot(kept, kept);
-      const V q = turn / max(square, splat<V>(least_square<V>));
-      V longer = q * fused(q, fused(q, splat<V>(0.3125), splat<V>(0.375)), splat<V>(0.5));
-      if (const V limit = splat<V>(maximum_turn); any_below(limit, q))
-        longer =
-            select(limit < q, constant<V>(1) / sqrt(max(constant<V>(1) - q, splat<V>(1e-6))) - constant<V>(1), longer);
-      spring = add_scaled(spring, s.ratio * where(counts < turn, longer), subtract_scaled(kept, out_of_plane, n));
-    }
-  }
-  return spring;
-}
 
 /// A contact step as if all lanes stuck. The whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since
 /// u = (u.n) n + v_s and both dampings share eta; where a lane slides, delta_t is where the slider starts.
@@ -161,14 +95,16 @@ FIXDEM_INLINE ContactStep<V> stick(const Springs<V>& k, const TangentialSpring<V
 
 /// Scaled force on the owner, and the history advanced. `n`: Vec3, or Vec2 where the normal has no component along the
 /// pipe. `surface_velocity` u = v_r + (r w_i + r w_j) x n; `normal_velocity` v_r.n; `damped_velocity`: the normal
-/// velocity that the damping sees (the same with `euler`, predicted half a step ahead with `leapfrog`).
+/// velocity that the damping sees (the same with `euler`, predicted half a step ahead with `leapfrog`);
+/// `rolling_velocity`: eq. (47).
 ///
 /// With `reported`, a batch of which any lane slides sets `is_done` to false, and nothing else of the result
 /// counts: without that code and what it needs, the short code keeps its numbers in registers.
 template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Mask>
 FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n, const Vec3<V>& surface_velocity,
-                                            V normal_velocity, V damped_velocity, Mask touching, History<V>& history,
-                                            bool& is_done) {
+                                            V normal_velocity, V damped_velocity,
+                                            [[maybe_unused]] const Vec3<V>& rolling_velocity, Mask touching,
+                                            History<V>& history, bool& is_done) {
   const Vec3<V>& u = surface_velocity;
   const V normal_force = fused(k.damping, damped_velocity, k.repulsion);  // repulsive positive
   is_done = true;
@@ -180,7 +116,7 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
   } else {
     [[maybe_unused]] const LastSpring<V> before =
         last_spring<Case>(history.spring, history.last_tangential_stiffness, k.tangential_stiffness);
-    const TangentialSpring<V> s = tangential_spring<Law, Case>(k, touching, history);
+    const TangentialSpring<V> s = tangential_spring<Law, Case>(k, touching, history.last_tangential_stiffness);
     ContactStep<V> step =
         stick<Law, Case, mode>(k, s, n, u, normal_velocity, normal_force, normal_power, history.spring);
     const V excess = excess_over_friction<Law, Case>(step.force, s.to_force, step.spring, normal_force, k.repulsion);
@@ -196,7 +132,15 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
       law_work = work_of_law<Case>(before, step.spring, k.tangential_stiffness, touching);
     history.spring = where(touching, step.spring);
     if constexpr (Case::slider == Slider::exact) history.last_limit = step.last_limit;
-    return {step.force, step.damping_power, step.sliding_work, law_work};
+    ContactForce<V> f{step.force, step.damping_power, step.sliding_work, law_work};
+    if constexpr (Law::has_rolling) {
+      const LastSpring<V> rolled = last_spring<Case>(history.rolling, before.stiffness, k.tangential_stiffness);
+      f.rolling = roll<Law, Case, mode>(s, s.gain, n, rolling_velocity, k.repulsion, k.tangential_stiffness, touching,
+                                        rolled, step.force, history.rolling, is_done);
+      if constexpr (Case::energy_ledger)
+        f.damping_power = f.damping_power + damping_by_rolling<Law, Case>(s, step.force, step.spring, f.rolling.force);
+    }
+    return f;
   }
 }
 

@@ -131,8 +131,10 @@ void dense_contacts(const Side side, Batches& batches, int first, int count, boo
   Partials<W, lanes, Real<Case>> overlap(monitor.overlap);
   BookedEnergy<Case, W> energy(monitor);
   auto* history = detail::dense_histories<Case, size>(batches, first);
+  const int partner_rows = batches_for<Case>(count) * lanes;  // behind those of the owners, if there are any
   const auto place = [&](int k) FIXDEM_INLINE_LAMBDA {
-    return detail::InPlace<Case, W>{history + k / lanes * size, k % lanes, count - k, rows + k * width, &energy};
+    return detail::InPlace<Case, W>{history + k / lanes * size,        k % lanes, count - k, rows + k * width,
+                                    rows + (partner_rows + k) * width, &energy};
   };
   const auto *owner = batches.owner[first], *partner = detail::partners_of(batches, first);
   if (are_still || !Side::Law::has_friction)

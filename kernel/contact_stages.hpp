@@ -102,7 +102,7 @@ template <class Case, int W>
 struct InPlace {
   Real<Case> (*history)[Capacity<Case>::batch];
   int lane, valid;
-  Real<Case>* row;
+  Real<Case>*row, *partner_row;  ///< the latter with rolling resistance only
   BookedEnergy<Case, W>* energy;
   template <class V, int Count>
   FIXDEM_INLINE KeptNumbers<V, Count> loaded_numbers() const {
@@ -132,7 +132,9 @@ FIXDEM_INLINE History<V> loaded_history(const Place& place) {
   if constexpr (Law::history_vectors > 1) h.last_velocity = vector(3);
   if constexpr (takes_impulses<Case>) h.state_function = kept.value[Law::state_function_place];
   if constexpr (Law::limit_place > Law::stiffness_place) h.last_tangential_stiffness = kept.value[Law::stiffness_place];
-  if constexpr (Law::history_size > Law::limit_place) h.last_limit = kept.value[Law::limit_place];
+  if constexpr (Law::rolling_place > Law::limit_place) h.last_limit = kept.value[Law::limit_place];
+  if constexpr (Law::has_rolling) h.rolling = vector(Law::rolling_place);
+  if constexpr (Law::keeps_rolling_stiffness) h.last_rolling_stiffness = kept.value[Law::rolling_place + 3];
   return h;
 }
 template <class Law, class Case, class Place, class V>
@@ -145,7 +147,9 @@ FIXDEM_INLINE void store_history(const Place& place, const History<V>& h) {
   if constexpr (Law::history_vectors > 1) vector(3, h.last_velocity);
   if constexpr (takes_impulses<Case>) kept.value[Law::state_function_place] = h.state_function;
   if constexpr (Law::limit_place > Law::stiffness_place) kept.value[Law::stiffness_place] = h.last_tangential_stiffness;
-  if constexpr (Law::history_size > Law::limit_place) kept.value[Law::limit_place] = h.last_limit;
+  if constexpr (Law::rolling_place > Law::limit_place) kept.value[Law::limit_place] = h.last_limit;
+  if constexpr (Law::has_rolling) vector(Law::rolling_place, h.rolling);
+  if constexpr (Law::keeps_rolling_stiffness) kept.value[Law::rolling_place + 3] = h.last_rolling_stiffness;
   place.template store_numbers<V, Law::history_size>(kept);
 }
 
@@ -164,21 +168,23 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>
   History<V> history = loaded_history<Law, Case, V>(place);
   Vec3<V> surface_velocity = motion.velocity;
   if constexpr (Law::has_friction) surface_velocity = add_cross(motion.velocity, motion.spin, n);
+  Vec3<V> rolling_velocity{};
+  if constexpr (Law::has_rolling) rolling_velocity = cross(n, motion.rolling);
 
   bool is_done = false;
   ContactForce<V> f;
   if constexpr (takes_impulses<Case>) {
     OverlapRoots<V> at{load<V>(g.repulsion), V{}, V{}};
     if constexpr (Derived<Case>::is_hertz) at.root = load<V>(g.overlap_root), at.fourth = sqrt(at.root);
-    f = contact_impulse<Law, Case, mode>(at, n, surface_velocity, normal_velocity, history, is_done);
+    f = contact_impulse<Law, Case, mode>(at, n, surface_velocity, normal_velocity, rolling_velocity, history, is_done);
   } else {
     const Springs<V> k = springs<Law, Case>(SpringBase<V>{load<V>(g.repulsion), load<V>(g.overlap_root)});
     const auto touching = k.tangential_stiffness > V{};
     V damped_velocity = normal_velocity;
     if constexpr (Case::integrator == Integrator::leapfrog)
       damped_velocity = fused(splat<V>(0.5), dot(side.template kick<W>(owner, partner), n), damped_velocity);
-    f = contact_force<Law, Case, mode>(k, n, surface_velocity, normal_velocity, damped_velocity, touching, history,
-                                       is_done);
+    f = contact_force<Law, Case, mode>(k, n, surface_velocity, normal_velocity, damped_velocity, rolling_velocity,
+                                       touching, history, is_done);
   }
   if (!is_done) return false;
 
@@ -186,8 +192,15 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>
   using RowStore = RowLanes<W, Real<Case>>;
   if constexpr (Derived<Case>::has_rotation) {
     Vec3<V> torque{};
-    if constexpr (Law::has_friction) torque = cross(n, f.force);  // eq. (14); scaled by r in motion.hpp
+    const V lever = splat<V>(Law::rolling_lever);
+    if constexpr (Law::has_rolling)
+      torque = cross(n, add_scaled(f.force, lever, f.rolling.force));  // eqs. (14), (49); scaled by r in motion.hpp
+    else if constexpr (Law::has_friction)
+      torque = cross(n, f.force);
     RowStore::store_rows(place.row, padded(f.force), padded(torque));
+    if constexpr (rows_per_contact < Law >> 1)  // torques on the partner differ: as force, not as its reaction
+      RowStore::store_rows(place.partner_row, padded(scale(splat<V>(-1), f.force)),
+                           padded(cross(n, subtract_scaled(f.force, lever, f.rolling.force))));
   } else {
     RowStore::store_rows(place.row, padded(f.force));
   }

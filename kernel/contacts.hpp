@@ -68,15 +68,22 @@ struct HistoryBatches<Case, Batches, 0> {
 template <class Case>
 inline constexpr int kinds_of_wall = (PipeSurface<Case>::is_present ? 1 : 0) + (EndSurfaces<Case>::is_present ? 1 : 0);
 
+/// Rows that a contact writes: one, or with rolling resistance one for each sphere. Their forces are opposite and the
+/// torques of friction are equal, so that one row serves both; the torques of rolling are opposite, and a pair then
+/// has nine numbers. Two rows of eight are added as fast as one is.
+template <class Law>
+inline constexpr int rows_per_contact = Law::has_rolling&& Law::bodies == 2 ? 2 : 1;
+
 /// Numbering of the force rows of a step: the pairs across the ends, a row of zeros, and as many chunks in turn as the
 /// span makes necessary.
 template <class Case>
 struct Rows {
   using Cap = Capacity<Case>;
   using D = Derived<Case>;
-  static constexpr int of_chunk = Cap::chunk_pairs + kinds_of_wall<Case> * Cap::chunk_size;
+  static constexpr int of_pair = rows_per_contact<ContactLaw<Case, false>>;
+  static constexpr int of_chunk = of_pair * Cap::chunk_pairs + kinds_of_wall<Case> * Cap::chunk_size;
   static constexpr int wrap_first = 0;
-  static constexpr int zero = D::is_periodic ? Cap::wrap_pairs : 0;
+  static constexpr int zero = D::is_periodic ? of_pair * Cap::wrap_pairs : 0;
   static constexpr int chunks_first = zero + Cap::batch;
   /// Rows of a ring in which the chunks have so many places; those kept for the second phase of a tile come after it.
   static constexpr int ring(int places) { return chunks_first + places * of_chunk; }
@@ -171,6 +178,13 @@ constexpr int batches_for(int contacts) {
   return (contacts + Capacity<Case>::batch - 1) / Capacity<Case>::batch;
 }
 
+/// The same with the last batch filled up: lanes for which rows are written.
+template <class Batches>
+int padded_count(const Batches& batches, int range) {
+  constexpr int lanes = Batches::Cap::batch;
+  return (batches.count[range] + lanes - 1) / lanes * lanes;
+}
+
 /// What sorting (order.hpp) and the outer list (outer_list.hpp) need for their duration.
 template <class Case>
 struct SortScratch {
@@ -243,9 +257,7 @@ struct Contacts {
   int first_row(int chunk) const { return Rows<Case>::ring(chunk % (span + 1)); }
   int first_kept_row(int chunk) const { return Rows<Case>::ring(span + 1 + chunk % span); }
   /// Where sparse contacts put what is added later: those across the ends, and those of a chunk that a tile keeps.
-  RowsForLater<Case> across_for_later(int step) {
-    return for_later(step, Rows<Case>::wrap_first + Cap::wrap_pairs - 1, Cap::span);
-  }
+  RowsForLater<Case> across_for_later(int step) { return for_later(step, Rows<Case>::zero - 1, Cap::span); }
   RowsForLater<Case> chunk_for_later(int step, int chunk) {
     return for_later(step, first_kept_row(chunk) + Rows<Case>::of_chunk - 1, chunk % span);
   }

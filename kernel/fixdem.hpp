@@ -75,15 +75,20 @@ class Simulation {
 
   /// Sets the history of a contact that start() has listed; metres, or newtons with the incremental forms. Partner as
   /// in Contact. Contacts that are not near are ignored: they have no history. With impulses it is that of the time of
-  /// the start; otherwise that of the last force before it.
-  void restore_history(int owner, int partner, const double (&history)[3]) {
+  /// the start; otherwise that of the last force before it. `rolling`: likewise that of rolling, zero without it.
+  void restore_history(int owner, int partner, const double* history,
+                       [[maybe_unused]] const double* rolling = nullptr) {
     if constexpr (D::has_rotation) {
       s_.histories_given_at = s_.step;
       constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::mass;
       const auto set = [&](auto& batches, int range, int k, double sign) {
-        if constexpr (std::remove_reference_t<decltype(batches)>::Law::history_vectors > 0) {
+        using Law = typename std::remove_reference_t<decltype(batches)>::Law;
+        if constexpr (Law::history_vectors > 0) {
           const auto numbers = batches.history_of(range, k);
           for (int c = 0; c < 3; ++c) numbers[c] = static_cast<Real<Case>>(sign * unit * history[c]);
+          if constexpr (Law::has_rolling)  // the same from either side
+            for (int c = 0; c < 3; ++c)
+              numbers[Law::rolling_place + c] = static_cast<Real<Case>>(rolling != nullptr ? unit * rolling[c] : 0);
           batches.note_history(range, k);
         }
       };
@@ -163,9 +168,13 @@ class Simulation {
     });
     if constexpr (Case::energy_ledger) {
       for (const StepMonitor<Case>& monitor : s_.monitor) {
-        e.dissipated_damping += D::mass * sum_of(monitor.ledger.damping_power);
-        e.dissipated_sliding += D::mass / Case::time_step * sum_of(monitor.ledger.sliding_work);
-        e.made_by_law += D::mass / Case::time_step * sum_of(monitor.ledger.law_work);
+        const auto work = [&](LedgerEntry entry) {
+          return D::mass / Case::time_step * sum_of(monitor.ledger.entry[entry]);
+        };
+        e.dissipated_damping += D::mass * sum_of(monitor.ledger.entry[damping_power]);
+        e.dissipated_sliding += work(sliding_work);
+        e.made_by_law += work(law_work);
+        if constexpr (D::has_rolling) e.dissipated_rolling += work(rolling_work);
         e.gas_work += D::mass * sum_of(monitor.ledger.gas_work);
       }
     }

@@ -113,7 +113,8 @@ FIXDEM_INLINE NormalImpulse<V> normal_impulse(const OverlapRoots<V>& at, V veloc
 /// parameters are explained.
 template <class Law, class Case, SlidingLanes mode, class V, class Normal>
 FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const Normal& n,
-                                              const Vec3<V>& surface_velocity, V normal_velocity, History<V>& history,
+                                              const Vec3<V>& surface_velocity, V normal_velocity,
+                                              [[maybe_unused]] const Vec3<V>& rolling_velocity, History<V>& history,
                                               bool& is_done) {
   const Vec3<V>& u = surface_velocity;
   using Mask = decltype(V{} > V{});
@@ -127,11 +128,12 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
   } else {
     V stiffness = where(pressed, splat<V>(Law::tangential_stiffness));
     if constexpr (Derived<Case>::is_hertz) stiffness = constant<V>(Law::tangential_stiffness) * at.root;
+    [[maybe_unused]] const V rolling_stiffness = stiffness;
     stiffness = stiffness * detail::square_of_sinc(constant<V>(0.875 * Law::bodies * Case::time_step) * stiffness);
     [[maybe_unused]] const LastSpring<V> before =
         last_spring<Case>(history.spring, history.last_tangential_stiffness, stiffness);
-    const TangentialSpring<V> s =
-        tangential_spring<Law, Case>(Springs<V>{V{}, p.tangential_damping, stiffness}, pressed, history);
+    const TangentialSpring<V> s = tangential_spring<Law, Case>(Springs<V>{V{}, p.tangential_damping, stiffness},
+                                                               pressed, history.last_tangential_stiffness);
     const V half = where(known, splat<V>(0.5));
     const Vec3<V>& last = history.last_velocity;
     const Vec3<V> middle = {fused(half, u.x - last.x, u.x), fused(half, u.y - last.y, u.y),
@@ -166,7 +168,18 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
     if constexpr (Case::energy_ledger) law_work = work_of_law<Case>(before, step.spring, stiffness, pressed);
     history.spring = where(pressed, step.spring), history.last_velocity = where(pressed, u);
     if constexpr (Case::slider == Slider::exact) history.last_limit = where(pressed, step.last_limit);
-    return {where(touching, step.force), step.damping_power, step.sliding_work, law_work};
+    ContactForce<V> f{where(touching, step.force), step.damping_power, step.sliding_work, law_work};
+    if constexpr (Law::has_rolling) {  // softening is of second order, and so is a frequency left as it is
+      const LastSpring<V> rolled =
+          last_spring<Case>(history.rolling, history.last_rolling_stiffness, rolling_stiffness);
+      const TangentialSpring<V> r = tangential_spring<Law, Case>(
+          Springs<V>{V{}, p.tangential_damping, rolling_stiffness}, pressed, history.last_rolling_stiffness);
+      f.rolling = roll<Law, Case, mode>(r, r.gain * p.share_of_step, n, rolling_velocity, elastic, rolling_stiffness,
+                                        pressed, rolled, f.force, history.rolling, is_done);
+      if constexpr (Case::energy_ledger)
+        f.damping_power = f.damping_power + damping_by_rolling<Law, Case>(s, f.force, step.spring, f.rolling.force);
+    }
+    return f;
   }
 }
 

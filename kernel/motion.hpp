@@ -77,9 +77,13 @@ FIXDEM_INLINE void sum_rows(
     own.add(row_at<width>(rows, own_rows[s]));
     incoming.add(row_at<width>(rows, own_rows[k + s]));
   }
-  for (int p = 0; p < Sum::parts; ++p)
-    own.part[p] =
-        fused(load<typename Sum::V>(incoming_sign<Real<Case>> + p * Sum::step), incoming.part[p], own.part[p]);
+  for (int p = 0; p < Sum::parts; ++p) {
+    if constexpr (Rows<Case>::of_pair > 1)
+      own.part[p] = own.part[p] + incoming.part[p];
+    else
+      own.part[p] =
+          fused(load<typename Sum::V>(incoming_sign<Real<Case>> + p * Sum::step), incoming.part[p], own.part[p]);
+  }
   if constexpr (is_mixed<Case>) {
     alignas(64) float sum[width];
     for (int p = 0; p < Sum::parts; ++p) store(sum + p * Sum::step, own.part[p]);

@@ -19,6 +19,8 @@ struct Contact {
   double normal_force;         ///< N, positive when repelling (-f_n of eq. 6)
   double tangential_force[3];  ///< N, on the owner
   double history[3];           ///< m, or N with the incremental forms
+  double rolling_force[3];     ///< q, N, on the owner: torque R* n x q; zero without rolling resistance
+  double rolling_history[3];   ///< as history
 };
 
 struct Observation {
@@ -34,8 +36,9 @@ struct Observation {
 /// Works are since the start; joules.
 struct Energy {
   double kinetic, elastic, dissipated_damping, dissipated_sliding, gravity_work, gas_work;
-  double elastic_tangential;  ///< the part of `elastic` that tangential springs hold
+  double elastic_tangential;  ///< the part of `elastic` that tangential and rolling springs hold
   double made_by_law;         ///< by the tangential law, whose stiffness follows the overlap; below zero: lost
+  double dissipated_rolling;  ///< by dashpot and slider of rolling resistance
 };
 
 namespace detail {
@@ -46,6 +49,32 @@ struct Observed {
   double elastic;  ///< J, normal and tangential
   double elastic_tangential;
 };
+
+/// With impulses springs are shown half a step on, at the time that particle() shows and that a start takes.
+template <class Law, class Case>
+bool is_ahead(const HistoryNumbers<const Real<Case>>& kept) {
+  if constexpr (takes_impulses<Case>) return kept[Law::state_function_place] > 0;
+  return false;
+}
+
+/// A spring and its dashpot, capped at the limit (scaled), and what the spring holds. `velocity`: of slip or rolling;
+/// `ahead`: s.
+template <class Law, class Case>
+void observe_spring(const Vec3<double>& spring, const Vec3<double>& velocity, double stiffness, double eta,
+                    double ahead, double limit, double (&force)[3], double (&history)[3], Observed<Case>& seen) {
+  constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
+  constexpr double to_newton = 1 / Law::scale, unit = keeps_displacement ? 1 : to_newton;
+  Vec3<double> total = add_scaled(scale(-eta, velocity), keeps_displacement ? -stiffness : -1, spring);
+  total = scale(to_newton, capped(total, dot(total, total), limit));
+  force[0] = total.x, force[1] = total.y, force[2] = total.z;
+  Vec3<double> shown = spring;
+  if (ahead > 0) shown = add_scaled(spring, ahead * (keeps_displacement ? 1 : stiffness), velocity);
+  history[0] = unit * shown.x, history[1] = unit * shown.y, history[2] = unit * shown.z;
+  const double square = dot(spring, spring);
+  const double energy = 0.5 * to_newton * (keeps_displacement ? stiffness * square : square / stiffness);
+  seen.elastic_tangential += energy;
+  seen.elastic += energy;
+}
 
 /// One contact from its geometry and relative motion.
 template <class Case, bool is_wall>
@@ -64,27 +93,19 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
   constexpr double share = Derived<Case>::is_hertz ? 0.4 : 0.5;  // 2/5 K overlap^(5/2), or K overlap^2 / 2
   seen.elastic = to_newton * share * k.repulsion * overlap;
   if constexpr (Law::has_friction) {
-    constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
-    const Vec3<double> spring = {kept[0], kept[1], kept[2]};
-    const double to_force = keeps_displacement ? k.tangential_stiffness : 1;
-    const Vec3<double> slip = add_scaled(surface, -normal_velocity, n);
     double eta = k.damping;
     if constexpr (Law::tangential_damping != Law::damping) eta *= Law::tangential_damping / Law::damping;
-    Vec3<double> force = add_scaled(scale(-eta, slip), -to_force, spring);
-    force = capped(force, dot(force, force), friction_limit<Law, Case>(c.normal_force / to_newton, k.repulsion));
-    c.tangential_force[0] = to_newton * force.x;
-    c.tangential_force[1] = to_newton * force.y;
-    c.tangential_force[2] = to_newton * force.z;
-    const double unit = keeps_displacement ? 1 : to_newton;
-    Vec3<double> shown = spring;
-    if constexpr (takes_impulses<Case>)  // half a step on, to the time that particle() shows and that a start takes
-      if (kept[Law::state_function_place] > 0)
-        shown = add_scaled(spring, 0.5 * Case::time_step * (keeps_displacement ? 1 : k.tangential_stiffness), slip);
-    c.history[0] = unit * shown.x, c.history[1] = unit * shown.y, c.history[2] = unit * shown.z;
-    const double square = dot(spring, spring);
-    seen.elastic_tangential =
-        0.5 * to_newton * (keeps_displacement ? k.tangential_stiffness * square : square / k.tangential_stiffness);
-    seen.elastic += seen.elastic_tangential;
+    const double ahead = is_ahead<Law, Case>(kept) ? 0.5 * Case::time_step : 0;
+    const Vec3<double> slip = add_scaled(surface, -normal_velocity, n);
+    observe_spring<Law, Case>({kept[0], kept[1], kept[2]}, slip, k.tangential_stiffness, eta, ahead,
+                              friction_limit<Law, Case>(c.normal_force / to_newton, k.repulsion), c.tangential_force,
+                              c.history, seen);
+    if constexpr (Law::has_rolling) {
+      constexpr int at = Law::rolling_place;
+      observe_spring<Law, Case>({kept[at], kept[at + 1], kept[at + 2]}, cross(n, motion.rolling),
+                                k.tangential_stiffness, eta, ahead, Law::rolling_friction * k.repulsion,
+                                c.rolling_force, c.rolling_history, seen);
+    }
   }
   return seen;
 }
@@ -111,7 +132,8 @@ void for_each_observed(const State<Case>& s, F&& f) {
     if (!(overlap > 0)) return;
     const Motion<double> a = motion_of(p, i), b = motion_of(p, j);
     const Motion<double> m = {{a.velocity.x - b.velocity.x, a.velocity.y - b.velocity.y, a.velocity.z - b.velocity.z},
-                              {a.spin.x + b.spin.x, a.spin.y + b.spin.y, a.spin.z + b.spin.z}};
+                              {a.spin.x + b.spin.x, a.spin.y + b.spin.y, a.spin.z + b.spin.z},
+                              scale(0.5, Vec3<double>{b.spin.x - a.spin.x, b.spin.y - a.spin.y, b.spin.z - a.spin.z})};
     f(observe_contact<Case, false>(p.id[i], p.id[j], overlap, scale(1 / distance, r), m,
                                    contacts.pairs.history_of(range, k)));
   });
@@ -120,8 +142,9 @@ void for_each_observed(const State<Case>& s, F&& f) {
       Vec3<double> n;
       const double overlap = walls.surface.overlap(p.position[i], n);
       if (!(overlap > 0)) return;
-      f(observe_contact<Case, true>(p.id[i], walls.surface.partner(n), overlap, n, motion_of(p, i),
-                                    walls.history_of(chunk, k)));
+      Motion<double> m = motion_of(p, i);
+      m.rolling = scale(-1.0, m.spin);
+      f(observe_contact<Case, true>(p.id[i], walls.surface.partner(n), overlap, n, m, walls.history_of(chunk, k)));
     });
   });
 }

@@ -84,7 +84,9 @@ struct PairSide {
 
   template <int W, class Offset>
   FIXDEM_INLINE Motion<Lanes<W, R>> motion(const Offset* owner, const Offset* partner) const {
-    if constexpr (Derived<Case>::has_rotation)
+    if constexpr (Law::has_rolling)
+      return load_rolling_of_pairs<W>(owner_motion, owner, partner_motion, partner);
+    else if constexpr (Derived<Case>::has_rotation)
       return load_motion_of_pairs<W>(owner_motion, owner, partner_motion, partner);
     else
       return {load_differences<W>(owner_motion, owner, partner_motion, partner), Vec3<Lanes<W, R>>{}};

@@ -31,6 +31,17 @@ struct Checked {
       Derived<Case>::friction_limit == FrictionLimit::total || Case::slider != Slider::paper,
       "fixdem: friction_limit = \"elastic\" needs slider = \"clip\" or \"exact\": eqs. (10)-(12) to the letter use "
       "the whole force");
+  static_assert(Derived<Case>::rolling_friction >= 0, "fixdem: [material] rolling_friction must not be negative");
+  static_assert(Derived<Case>::wall_rolling_friction >= 0,
+                "fixdem: [material] wall_rolling_friction must not be negative");
+  static_assert(Derived<Case>::rolling_friction == 0 || Case::friction > 0,
+                "fixdem: [material] rolling_friction needs [material] friction above 0: without it nothing turns");
+  static_assert(Derived<Case>::wall_rolling_friction == 0 || Derived<Case>::wall_friction > 0,
+                "fixdem: [material] wall_rolling_friction needs wall_friction above 0: without it nothing turns there");
+  static_assert(
+      Derived<Case>::has_walls || Derived<Case>::wall_rolling_friction == Derived<Case>::rolling_friction,
+      "fixdem: [material] wall_rolling_friction needs a wall: set [pipe] wall = true or ends = \"closed\", or "
+      "remove it");
   static_assert(Capacity<Case>::chunk_size <= largest_chunk,
                 "fixdem: a slice of the pipe holds too many particles: lower [pipe] diameter or [particles] count");
   static_assert(Case::normal != NormalLaw::hertz || (Case::poisson_ratio >= 0 && Case::poisson_ratio <= 0.5),

@@ -16,8 +16,9 @@ namespace fixdem {
 /// Translation and rotation of W particles, or their difference and sum.
 template <class V>
 struct Motion {
-  Vec3<V> velocity;  ///< m/s
-  Vec3<V> spin;      ///< radius times angular velocity, m/s
+  Vec3<V> velocity;   ///< m/s
+  Vec3<V> spin;       ///< radius times angular velocity, m/s
+  Vec3<V> rolling{};  ///< with rolling resistance: R*/r times partner's less own spin; n x this is eq. (47)
 };
 
 template <int W, class T = double>

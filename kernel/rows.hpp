@@ -77,26 +77,26 @@ FIXDEM_INLINE void store_columns(T* rows, const Offset* offset, const Vec4<Lanes
   for (int k = 0; k < W; ++k) __builtin_memcpy(row_at<Width>(rows, offset[k]), row[k], sizeof row[k]);
 }
 
-/// Vectors of the rows `offset` of an array with rows of 4.
-template <int W, class T, class Offset>
+/// Vectors of the rows `offset` of an array with rows of `Width`.
+template <int W, int Width = 4, class T, class Offset>
 FIXDEM_INLINE Vec3<Lanes<W, T>> load_vectors(const T* rows, const Offset* offset) {
-  const Vec4<Lanes<W, T>> a = load_columns<W>(rows, offset);
+  const Vec4<Lanes<W, T>> a = load_columns<W, Width>(rows, offset);
   return {a.x, a.y, a.z};
 }
 
-/// Vectors a - b of two sets of rows of 4.
-template <int W, class T, class Offset>
+/// Vectors a - b of two sets of rows of `Width`.
+template <int W, int Width = 4, class T, class Offset>
 FIXDEM_INLINE Vec3<Lanes<W, T>> load_differences(const T* rows_a, const Offset* a, const T* rows_b, const Offset* b) {
   using Rows = RowLanes<W, T>;
   using Part = typename Rows::Part;
   if constexpr (joins_rows<W, T>)
     return Rows::vectors([&](int k, int l) FIXDEM_INLINE_LAMBDA {
-      return Rows::two(row_at<4>(rows_a, a[k]), row_at<4>(rows_a, a[l])) -
-             Rows::two(row_at<4>(rows_b, b[k]), row_at<4>(rows_b, b[l]));
+      return Rows::two(row_at<Width>(rows_a, a[k]), row_at<Width>(rows_a, a[l])) -
+             Rows::two(row_at<Width>(rows_b, b[k]), row_at<Width>(rows_b, b[l]));
     });
   else
     return Rows::vectors([&](int k, int column) FIXDEM_INLINE_LAMBDA {
-      return load<Part>(row_at<4>(rows_a, a[k]) + column) - load<Part>(row_at<4>(rows_b, b[k]) + column);
+      return load<Part>(row_at<Width>(rows_a, a[k]) + column) - load<Part>(row_at<Width>(rows_b, b[k]) + column);
     });
 }
 
@@ -122,6 +122,17 @@ FIXDEM_INLINE Motion<Lanes<W, T>> load_motion_of_pairs(const T* rows_a, const Of
     else
       return column < 4 ? p - q : p + q;
   });
+}
+
+/// The same, and half of spin b - a: with rolling resistance. Three transpositions of 4 columns instead of one of 8.
+template <int W, class T, class Offset>
+FIXDEM_INLINE Motion<Lanes<W, T>> load_rolling_of_pairs(const T* rows_a, const Offset* a, const T* rows_b,
+                                                        const Offset* b) {
+  using V = Lanes<W, T>;
+  const Vec3<V> p = load_vectors<W, 8>(rows_a + 4, a), q = load_vectors<W, 8>(rows_b + 4, b);
+  return {load_differences<W, 8>(rows_a, a, rows_b, b),
+          {p.x + q.x, p.y + q.y, p.z + q.z},
+          scale(splat<V>(0.5), Vec3<V>{q.x - p.x, q.y - p.y, q.z - p.z})};
 }
 
 }  // namespace fixdem

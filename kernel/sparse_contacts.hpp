@@ -61,7 +61,7 @@ template <class Case, int W, int RowWidth, class Entries>
 struct Packed {
   Real<Case>* history;
   const std::uint32_t* number;
-  Real<Case>* row;
+  Real<Case>*row, *partner_row;
   Entries* entries;
   int k;
   template <class V>
@@ -155,21 +155,28 @@ class SparseContacts {
     }
     for (int k = list_.count; k % W != 0; ++k) list_.repeat_last(k);  // written twice, the same
     Partials<W, lanes, Real<Case>> overlap(monitors_[part_[0].range].overlap);
+    constexpr bool has_partner_rows = rows_per_contact < typename Side::Law >> 1;
     alignas(64) Real<Case> rows[Touching::room][width];
+    alignas(64) Real<Case> partner_rows[has_partner_rows ? Touching::room : 1][width];
     EnergyEntries<Case, Touching::room> entries;
     Real<Case>* history = nullptr;
     if constexpr (size > 0) history = batches_.history.value;
     detail::all_contacts<Case, W, SlidingLanes::computed>(
         side_, list_.owner, list_.partner, list_.count,
         [&](int k) FIXDEM_INLINE_LAMBDA {
-          return detail::Packed<Case, W, (size + 3) / 4 * 4, decltype(entries)>{history, list_.number + k, rows[k],
-                                                                                &entries, k};
+          return detail::Packed<Case, W, (size + 3) / 4 * 4, decltype(entries)>{
+              history, list_.number + k, rows[k], partner_rows[has_partner_rows ? k : 0], &entries, k};
         },
         overlap);
     overlap.put_back(monitors_[part_[0].range].overlap);
     for (int p = 0; p < parts_; ++p)
       entries.sum(part_[p].begin, part_[p].end, part_[p].number, monitors_[part_[p].range]);
     for (int k = 0; k < list_.count; ++k) {
+      if constexpr (has_partner_rows) {
+        add_or_keep(rows[k], list_.owner[k]);
+        add_or_keep(partner_rows[k], list_.partner[k]);
+        continue;
+      }
       if (later_ != nullptr) {
         later_->put(rows[k], list_.owner[k], has_partners ? list_.partner[k] : RowsForLater<Case>::nobody);
         continue;
@@ -181,6 +188,14 @@ class SparseContacts {
   }
 
  private:
+  /// A row that concerns one particle alone.
+  void add_or_keep(const Real<Case> (&row)[width], std::uint32_t particle) {
+    if (later_ != nullptr)
+      later_->put(row, particle, RowsForLater<Case>::nobody);
+    else
+      detail::add_row<width, W>(row_at<width>(sum_, particle), row);
+  }
+
   /// Particles of the packed contacts from number `from` on.
   void name_particles(int from, int range, int owner_base, int partner_base) {
     part_[parts_++] = {range, from, list_.count, found_};

@@ -11,13 +11,17 @@
 
 namespace fixdem {
 
+/// Entries that contacts book: damping_power, scaled force times velocity, over steps and contacts; sliding_work and
+/// law_work, scaled force times displacement, and with rolling resistance rolling_work, likewise.
+enum LedgerEntry { damping_power, sliding_work, law_work, rolling_work };
+template <class Case>
+inline constexpr int ledger_entries = Derived<Case>::has_rolling ? 4 : 3;
+
 /// Energy booked so far; absent in a case without ledger.
 template <class Case, bool present = Case::energy_ledger>
 struct Ledger {
-  alignas(64) double damping_power[Capacity<Case>::batch];  ///< scaled force times velocity, over steps and contacts
-  alignas(64) double sliding_work[Capacity<Case>::batch];   ///< scaled force times displacement
-  alignas(64) double law_work[Capacity<Case>::batch];       ///< likewise
-  alignas(64) double gas_work[8];                           ///< scaled force times velocity
+  alignas(64) double entry[ledger_entries<Case>][Capacity<Case>::batch];
+  alignas(64) double gas_work[8];  ///< scaled force times velocity
 };
 template <class Case>
 struct Ledger<Case, false> {};

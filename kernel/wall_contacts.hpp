@@ -49,10 +49,13 @@ struct WallSide {
   }
   template <int W, class Offset>
   FIXDEM_INLINE Motion<Lanes<W, R>> motion(const Offset* owner, const Offset*) const {
+    Motion<Lanes<W, R>> motion{};
     if constexpr (Derived<Case>::has_rotation)
-      return load_motion<W>(owner_motion, owner);
+      motion = load_motion<W>(owner_motion, owner);
     else
-      return {load_vectors<W>(owner_motion, owner), Vec3<Lanes<W, R>>{}};
+      motion.velocity = load_vectors<W>(owner_motion, owner);
+    if constexpr (Law::has_rolling) motion.rolling = scale(splat<Lanes<W, R>>(-1), motion.spin);
+    return motion;
   }
   template <int W, class Offset>
   FIXDEM_INLINE Vec3<Lanes<W, R>> kick(const Offset* owner, const Offset*) const {
