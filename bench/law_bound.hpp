@@ -181,7 +181,7 @@ class PackedContacts {
     const Vec3<V> surface_velocity = add_cross(velocity, load_vector(batch.spin, lane), n);
     bool is_done;
     const ContactForce<V> f = contact_force<Law, Case, mode>(k, n, surface_velocity, normal_velocity, normal_velocity,
-                                                             k.tangential_stiffness > V{}, history, is_done);
+                                                             Vec3<V>{}, k.tangential_stiffness > V{}, history, is_done);
     if (!is_done) return false;
     store_vector(batch.force, lane, f.force);
     if constexpr (D::has_rotation) {

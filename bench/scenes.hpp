@@ -5,7 +5,8 @@
 // in a closed drum, because 150 particles of the bed would not fill a pipe of their own. `agitated`: the random start
 // of pipe_bed, repeated in the same way, where particles fly and few touch. `plug`: plug_u24 from its final state on,
 // where the plug moves. Without energy ledger, as a scene that only wants speed would be compiled; `bed_with_ledger`
-// shows what the ledger costs. Every scene is a template over the precision of the case.
+// shows what the ledger costs, `bed_rolling` what rolling resistance does. Every scene is a template over the precision
+// of the case.
 #pragma once
 
 #include <vector>
@@ -29,6 +30,10 @@ struct bed : cases::pipe_bed {
 template <Precision P>
 struct bed_with_ledger : bed<1000, P> {
   static constexpr bool energy_ledger = true;
+};
+template <Precision P>
+struct bed_rolling : bed<1000, P> {
+  static constexpr double rolling_friction = 0.1;
 };
 template <int N, Precision P>
 struct agitated : bed<N, P> {};
