@@ -51,7 +51,8 @@ struct PairStage {
       const bool wraps = range == Capacity<Case>::chunks;
       Real<Case>* rows = s.contacts.ring(0) + (wraps ? Rows<Case>::wrap_first : s.contacts.first_row(range)) * width;
       const bool are_still = s.near_list.is_still(s.near_list.velocities_of(range));
-      dense_pairs<Case, W>(s.contacts.pairs, s.particles, range, are_still, rows, s.monitor[range]);
+      dense_pairs<Case, W>(s.contacts.pairs, s.particles, range, are_still, rows, s.contacts.torque_at(rows),
+                           s.monitor[range]);
     }
   }
 };

@@ -118,23 +118,24 @@ FIXDEM_INLINE const auto* partners_of(const Batches& batches, int batch) {
 
 }  // namespace detail
 
-/// Force rows of `count` contacts in the batches from `first` on, written from `rows` on; all lanes are computed.
+/// Force rows of `count` contacts in the batches from `first` on, written from `rows` on, and where the side has them
+/// torques on the partners from `torques` on; all lanes are computed.
 ///
 /// Where particles are still (NearList::is_still), hardly any batch has a lane that slides, and none turns. The short
 /// law of such contacts is worth a loop of its own: 129 million particle-steps/s in a bed at rest with AVX-512, 121
 /// without.
 template <class Case, int W, class Side, class Batches>
 void dense_contacts(const Side side, Batches& batches, int first, int count, bool are_still, Real<Case>* rows,
-                    StepMonitor<Case>& monitor) {
+                    [[maybe_unused]] Real<Case>* torques, StepMonitor<Case>& monitor) {
   constexpr int width = Particles<Case>::motion_width, lanes = Capacity<Case>::batch;
   constexpr int size = Side::Law::history_size;
   Partials<W, lanes, Real<Case>> overlap(monitor.overlap);
   BookedEnergy<Case, W> energy(monitor);
   auto* history = detail::dense_histories<Case, size>(batches, first);
-  const int partner_rows = batches_for<Case>(count) * lanes;  // behind those of the owners, if there are any
   const auto place = [&](int k) FIXDEM_INLINE_LAMBDA {
-    return detail::InPlace<Case, W>{history + k / lanes * size,        k % lanes, count - k, rows + k * width,
-                                    rows + (partner_rows + k) * width, &energy};
+    Real<Case>* const torque = Side::has_partner_torques ? torques + 4 * k : nullptr;
+    return detail::InPlace<Case, W>{history + k / lanes * size, k % lanes, count - k,
+                                    rows + k * width,           torque,    &energy};
   };
   const auto *owner = batches.owner[first], *partner = detail::partners_of(batches, first);
   if (are_still || !Side::Law::has_friction)

@@ -102,7 +102,7 @@ template <class Case, int W>
 struct InPlace {
   Real<Case> (*history)[Capacity<Case>::batch];
   int lane, valid;
-  Real<Case>*row, *partner_row;  ///< the latter with rolling resistance only
+  Real<Case>*row, *partner_torque;  ///< the latter with rolling resistance only
   BookedEnergy<Case, W>* energy;
   template <class V, int Count>
   FIXDEM_INLINE KeptNumbers<V, Count> loaded_numbers() const {
@@ -198,9 +198,8 @@ FIXDEM_INLINE bool contact_rows(const Side& side, const ContactGeometry<Case, W>
     else if constexpr (Law::has_friction)
       torque = cross(n, f.force);
     RowStore::store_rows(place.row, padded(f.force), padded(torque));
-    if constexpr (rows_per_contact < Law >> 1)  // torques on the partner differ: as force, not as its reaction
-      RowStore::store_rows(place.partner_row, padded(scale(splat<V>(-1), f.force)),
-                           padded(cross(n, subtract_scaled(f.force, lever, f.rolling.force))));
+    if constexpr (Side::has_partner_torques)
+      RowStore::store_rows(place.partner_torque, padded(cross(n, subtract_scaled(f.force, lever, f.rolling.force))));
   } else {
     RowStore::store_rows(place.row, padded(f.force));
   }

@@ -68,11 +68,24 @@ struct HistoryBatches<Case, Batches, 0> {
 template <class Case>
 inline constexpr int kinds_of_wall = (PipeSurface<Case>::is_present ? 1 : 0) + (EndSurfaces<Case>::is_present ? 1 : 0);
 
-/// Rows that a contact writes: one, or with rolling resistance one for each sphere. Their forces are opposite and the
-/// torques of friction are equal, so that one row serves both; the torques of rolling are opposite, and a pair then
-/// has nine numbers. Two rows of eight are added as fast as one is.
-template <class Law>
-inline constexpr int rows_per_contact = Law::has_rolling&& Law::bodies == 2 ? 2 : 1;
+/// Whether the torques of a pair differ. Its forces are opposite and its torques of friction are equal, so that one row
+/// serves both; the torques of rolling are opposite, and a pair then has nine numbers.
+template <class Case>
+inline constexpr bool has_partner_torques = ContactLaw<Case, false>::has_rolling;
+
+namespace detail {
+/// Torques on the partners: row k belongs to force row k, which has that on the owner. Three numbers for 32 bytes; a
+/// second force row for the partner took 3 % more of the bed's time.
+template <class Case, int Count, bool present = has_partner_torques<Case>>
+struct PartnerTorques {
+  alignas(64) Real<Case> row[Count][4];
+  Real<Case>* at(std::ptrdiff_t number) { return row[number]; }
+};
+template <class Case, int Count>
+struct PartnerTorques<Case, Count, false> {
+  Real<Case>* at(std::ptrdiff_t) { return nullptr; }
+};
+}  // namespace detail
 
 /// Numbering of the force rows of a step: the pairs across the ends, a row of zeros, and as many chunks in turn as the
 /// span makes necessary.
@@ -80,10 +93,9 @@ template <class Case>
 struct Rows {
   using Cap = Capacity<Case>;
   using D = Derived<Case>;
-  static constexpr int of_pair = rows_per_contact<ContactLaw<Case, false>>;
-  static constexpr int of_chunk = of_pair * Cap::chunk_pairs + kinds_of_wall<Case> * Cap::chunk_size;
+  static constexpr int of_chunk = Cap::chunk_pairs + kinds_of_wall<Case> * Cap::chunk_size;
   static constexpr int wrap_first = 0;
-  static constexpr int zero = D::is_periodic ? of_pair * Cap::wrap_pairs : 0;
+  static constexpr int zero = D::is_periodic ? Cap::wrap_pairs : 0;
   static constexpr int chunks_first = zero + Cap::batch;
   /// Rows of a ring in which the chunks have so many places; those kept for the second phase of a tile come after it.
   static constexpr int ring(int places) { return chunks_first + places * of_chunk; }
@@ -178,13 +190,6 @@ constexpr int batches_for(int contacts) {
   return (contacts + Capacity<Case>::batch - 1) / Capacity<Case>::batch;
 }
 
-/// The same with the last batch filled up: lanes for which rows are written.
-template <class Batches>
-int padded_count(const Batches& batches, int range) {
-  constexpr int lanes = Batches::Cap::batch;
-  return (batches.count[range] + lanes - 1) / lanes * lanes;
-}
-
 /// What sorting (order.hpp) and the outer list (outer_list.hpp) need for their duration.
 template <class Case>
 struct SortScratch {
@@ -197,6 +202,26 @@ struct SortScratch {
 template <class T>
 alignas(64) inline constexpr T incoming_sign[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
 
+namespace detail {
+/// What a partner takes from column p of a force row on, but for the sign: its torque is in `torque` if it has one of
+/// its own.
+template <class Case, class V, class T>
+FIXDEM_INLINE V incoming_part(const T* row, [[maybe_unused]] const T* torque, int p) {
+  if constexpr (!has_partner_torques<Case>)
+    return load<V>(row + p);
+  else if constexpr (sizeof(V) == 8 * sizeof(T))
+    return joined<V>(row, torque);
+  else
+    return load<V>(p < 4 ? row + p : torque + p - 4);
+}
+}  // namespace detail
+
+/// Where the force rows of a ring are, and the torques on partners that belong to them.
+template <class Case>
+struct RingRows {
+  const Real<Case>*rows, *torques;
+};
+
 /// Force rows of sparse contacts that are added later to the sums of their particles, from the last row of a region
 /// backwards: dense contacts have the first ones.
 template <class Case>
@@ -204,11 +229,15 @@ struct RowsForLater {
   static constexpr int width = Particles<Case>::motion_width;
   static constexpr std::uint32_t nobody = ~std::uint32_t{};  ///< in place of a partner: a wall
   Real<Case>* last_row;
+  Real<Case>* last_torque;                   ///< on the partner, where it has one of its own
   std::uint32_t *last_owner, *last_partner;  ///< 8 times the particle's number
   int* count;
 
-  void put(const Real<Case> (&values)[width], std::uint32_t owner, std::uint32_t partner) const {
+  void put(const Real<Case> (&values)[width], [[maybe_unused]] const Real<Case>* torque, std::uint32_t owner,
+           std::uint32_t partner) const {
     for (int c = 0; c < width; ++c) last_row[c - *count * width] = values[c];
+    if constexpr (has_partner_torques<Case>)
+      for (int c = 0; c < 4; ++c) last_torque[c - *count * 4] = torque[c];
     last_owner[-*count] = owner, last_partner[-*count] = partner;
     ++*count;
   }
@@ -233,11 +262,14 @@ struct Contacts {
                                        ? rows_for(Cap::span, 1)
                                        : rows_for(Cap::usual_span, Cap::tile_steps);
   alignas(64) Real<Case> rows[row_count * row_width];
+  [[no_unique_address]] detail::PartnerTorques<Case, row_count> torques;
   std::uint32_t row_owner[row_count], row_partner[row_count];  ///< of rows that are added later
   int rows_for_later[Cap::tile_steps][Cap::span + 1];          ///< the last ones of the pairs across the ends
   int span;  ///< chunks behind its own in which the partners of a chunk lie
 
   Real<Case>* ring(int step) { return rows + step * Rows<Case>::ring(2 * span + 1) * row_width; }
+  /// On the partner of the contact with that force row.
+  Real<Case>* torque_at(const Real<Case>* row) { return torques.at((row - rows) / row_width); }
   /// Visits the row of zeros of each ring that there is room for.
   template <class F>
   void for_each_row_of_zeros(F&& f) const {
@@ -251,6 +283,8 @@ struct Contacts {
     span = chunks;
     for_each_row_of_zeros([&](const Real<Case>* row) {
       for (int c = 0; c < row_width; ++c) rows[row - rows + c] = 0;
+      if constexpr (has_partner_torques<Case>)
+        for (int c = 0; c < 4; ++c) torque_at(row)[c] = 0;
     });
   }
   /// First force row of a chunk's contacts, and of what a tile keeps.
@@ -281,7 +315,7 @@ struct Contacts {
  private:
   RowsForLater<Case> for_later(int step, int last, int place) {
     const int at = step * Rows<Case>::ring(2 * span + 1) + last;
-    return {rows + at * row_width, row_owner + at, row_partner + at, &rows_for_later[step][place]};
+    return {rows + at * row_width, torques.at(at), row_owner + at, row_partner + at, &rows_for_later[step][place]};
   }
 };
 

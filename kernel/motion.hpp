@@ -21,11 +21,14 @@ struct RowSum {
   static constexpr int parts = Width / step;
   using V = Lanes<step, T>;
   V part[parts];
-  FIXDEM_INLINE void start(const T* row) {
-    for (int p = 0; p < parts; ++p) part[p] = load<V>(row + p * step);
+  /// `column(p)`: the numbers of a row from column p on.
+  template <class Column>
+  FIXDEM_INLINE void start(Column&& column) {
+    for (int p = 0; p < parts; ++p) part[p] = column(p * step);
   }
-  FIXDEM_INLINE void add(const T* row) {
-    for (int p = 0; p < parts; ++p) part[p] = part[p] + load<V>(row + p * step);
+  template <class Column>
+  FIXDEM_INLINE void add(Column&& column) {
+    for (int p = 0; p < parts; ++p) part[p] = part[p] + column(p * step);
   }
 };
 
@@ -64,26 +67,25 @@ requires(Case::energy_ledger&& Case::has_gas) struct MotionMonitor<Case, W> {
 /// are summed in float, then widened.
 template <class Case, int W, int k>
 FIXDEM_INLINE void sum_rows(
-    const std::size_t* own_rows, const Real<Case>* rows,
+    const std::size_t* own_rows, const RingRows<Case>& ring,
     Lanes<motion_step<Case, W>> (&change)[Particles<Case>::motion_width / motion_step<Case, W>]) {
   constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   using Sum = RowSum<width, contact_lanes<Case, W>, Real<Case>>;
+  using V = typename Sum::V;
+  const auto own_at = [&](std::size_t offset) FIXDEM_INLINE_LAMBDA {
+    return [row = row_at<width>(ring.rows, offset)](int p) FIXDEM_INLINE_LAMBDA { return load<V>(row + p); };
+  };
+  const auto incoming_at = [&](std::size_t offset) FIXDEM_INLINE_LAMBDA {
+    const Real<Case>* torque = nullptr;
+    if constexpr (has_partner_torques<Case>) torque = row_at<4>(ring.torques, offset);
+    return [row = row_at<width>(ring.rows, offset), torque](int p)
+               FIXDEM_INLINE_LAMBDA { return incoming_part<Case, V>(row, torque, p); };
+  };
   Sum own{}, incoming{};
-  if constexpr (k > 0) {
-    own.start(row_at<width>(rows, own_rows[0]));
-    incoming.start(row_at<width>(rows, own_rows[k]));
-  }
-  for (int s = 1; s < k; ++s) {
-    own.add(row_at<width>(rows, own_rows[s]));
-    incoming.add(row_at<width>(rows, own_rows[k + s]));
-  }
-  for (int p = 0; p < Sum::parts; ++p) {
-    if constexpr (Rows<Case>::of_pair > 1)
-      own.part[p] = own.part[p] + incoming.part[p];
-    else
-      own.part[p] =
-          fused(load<typename Sum::V>(incoming_sign<Real<Case>> + p * Sum::step), incoming.part[p], own.part[p]);
-  }
+  if constexpr (k > 0) own.start(own_at(own_rows[0])), incoming.start(incoming_at(own_rows[k]));
+  for (int s = 1; s < k; ++s) own.add(own_at(own_rows[s])), incoming.add(incoming_at(own_rows[k + s]));
+  for (int p = 0; p < Sum::parts; ++p)
+    own.part[p] = fused(load<V>(incoming_sign<Real<Case>> + p * Sum::step), incoming.part[p], own.part[p]);
   if constexpr (is_mixed<Case>) {
     alignas(64) float sum[width];
     for (int p = 0; p < Sum::parts; ++p) store(sum + p * Sum::step, own.part[p]);
@@ -176,8 +178,9 @@ FIXDEM_INLINE void take_sum(
 /// Moves the `particles_in_bucket` particles of one bucket with k own and k incoming rows each. `sum`: of the chunk, or
 /// null where nothing is sparse.
 template <class Case, int W, int k, class Offset>
-FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bucket, int base, const Real<Case>* rows,
-                                        Real<Case>* sum, Particles<Case>& particles, MotionMonitor<Case, W>& monitor) {
+FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bucket, int base,
+                                        const RingRows<Case>& rows, Real<Case>* sum, Particles<Case>& particles,
+                                        MotionMonitor<Case, W>& monitor) {
   constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   // Rows are found from their offsets alone: an address from a particle's number takes nine instructions more.
   for (int q = 0; q < particles_in_bucket; ++q, entry += 2 * k + 1) {
@@ -191,7 +194,7 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
 }
 
 template <class Case, int W, int k, class Offset>
-FIXDEM_INLINE void move_buckets_from(const Offset* entry, const int* bucket, int base, const Real<Case>* rows,
+FIXDEM_INLINE void move_buckets_from(const Offset* entry, const int* bucket, int base, const RingRows<Case>& rows,
                                      Real<Case>* sum, Particles<Case>& particles, MotionMonitor<Case, W>& monitor) {
   entry = move_bucket<Case, W, k>(entry, bucket[k], base, rows, sum, particles, monitor);
   if constexpr (k < Contacts<Case>::max_slots)
@@ -219,7 +222,8 @@ void move(Contacts<Case>& contacts, Particles<Case>& particles, int chunk, const
   const int base = chunk * Capacity<Case>::chunk_size;
   detail::MotionMonitor<Case, W> monitor(totals);
   if (contacts.has_rows[chunk])
-    detail::move_buckets_from<Case, W, 0>(contacts.slots[chunk], contacts.bucket[chunk], base, rows,
+    detail::move_buckets_from<Case, W, 0>(contacts.slots[chunk], contacts.bucket[chunk], base,
+                                          {rows, contacts.torque_at(rows)},
                                           contacts.has_sums[chunk] ? contacts.sum[base] : nullptr, particles, monitor);
   else
     detail::move_by_sums<Case, W>(particles_in<Case>(chunk), base, contacts.sum[base], particles, monitor);

@@ -60,6 +60,7 @@ struct PairSide {
   }
 
   static constexpr bool has_root = true, needs_gap_square = is_mixed<Case>;
+  static constexpr bool has_partner_torques = fixdem::has_partner_torques<Case>;
   /// Distance.
   template <class V>
   FIXDEM_INLINE V root(V gap_square) const {
@@ -111,10 +112,10 @@ struct PairSide {
 /// dense_contacts.
 template <class Case, int W>
 void dense_pairs(PairBatches<Case>& pairs, const Particles<Case>& particles, int range, bool are_still,
-                 Real<Case>* rows, StepMonitor<Case>& monitor) {
+                 Real<Case>* rows, Real<Case>* torques, StepMonitor<Case>& monitor) {
   const PairSide<Case> side(particles, PairRange<Case>(range));
   dense_contacts<Case, contact_lanes<Case, W>>(side, pairs, PairBatches<Case>::first(range), pairs.count[range],
-                                               are_still, rows, monitor);
+                                               are_still, rows, torques, monitor);
 }
 
 /// Contacts of the sparse ranges from `begin` to `end` of the near pairs, added to the sums of their particles, or put

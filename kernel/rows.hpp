@@ -55,6 +55,13 @@ FIXDEM_INLINE Offsets<Count> load_offsets(const Offset* from) {
 template <int W, class T>
 inline constexpr bool joins_rows = W == 8 && sizeof(T) == sizeof(double);
 
+/// Eight numbers out of two rows of four.
+template <class V, class T>
+FIXDEM_INLINE V joined(const T* low, const T* high) {
+  using Half = Lanes<4, T>;
+  return __builtin_shufflevector(load<Half>(low), load<Half>(high), 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
 /// Four columns of the rows `offset` of an array with rows of `Width`.
 template <int W, int Width = 4, class T, class Offset>
 FIXDEM_INLINE Vec4<Lanes<W, T>> load_columns(const T* rows, const Offset* offset) {

@@ -12,18 +12,18 @@
 namespace fixdem {
 
 /// Rows of the dense contacts of one kind in a chunk: whole batches, or none where they are sparse.
-template <class Batches>
+template <class Case, class Batches>
 int rows_of(const Batches& batches, int chunk) {
-  return batches.sparse[chunk] ? 0 : rows_per_contact<typename Batches::Law> * padded_count(batches, chunk);
+  return batches.sparse[chunk] ? 0 : Capacity<Case>::batch * batches_for<Case>(batches.count[chunk]);
 }
 /// Calls f(walls, first row) for each kind of wall; their rows lie behind those of the pairs of the chunk. Returns the
 /// row behind the last.
 template <class Case, class C, class F>
 int for_each_wall_row(C& contacts, int chunk, F&& f) {
-  int row = contacts.first_row(chunk) + rows_of(contacts.pairs, chunk);
+  int row = contacts.first_row(chunk) + rows_of<Case>(contacts.pairs, chunk);
   for_each_wall(contacts, [&](auto& walls) {
     f(walls, row);
-    row += rows_of(walls, chunk);
+    row += rows_of<Case>(walls, chunk);
   });
   return row;
 }
@@ -56,14 +56,13 @@ Status list_slots(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   const auto book_range = [&](int range, int owner_base, int partner_base, int first_row) {
     const bool dense = is_dense(contacts.pairs, range);
     const int first = PairBatches<Case>::first(range);
-    const int to_partner = (R::of_pair - 1) * padded_count(contacts.pairs, range);
     for (int k = 0; k < contacts.pairs.count[range]; ++k) {
       const int batch = first + k / Capacity<Case>::batch, lane = k % Capacity<Case>::batch;
       const int i = owner_base + R::number(contacts.pairs.owner[batch][lane]) - base;
       const int j = partner_base + R::number(contacts.pairs.partner[batch][lane]) - base;
       if (i >= 0 && i < particles && count(i) && dense) scratch.own_row[i][own[i]++] = R::slot_offset(first_row + k);
       if (j >= 0 && j < particles && count(j) && dense)
-        scratch.incoming_row[j][incoming[j]++] = R::slot_offset(first_row + to_partner + k);
+        scratch.incoming_row[j][incoming[j]++] = R::slot_offset(first_row + k);
     }
   };
   for (int c = chunk > contacts.span ? chunk - contacts.span : 0; c <= chunk; ++c)

@@ -61,7 +61,7 @@ template <class Case, int W, int RowWidth, class Entries>
 struct Packed {
   Real<Case>* history;
   const std::uint32_t* number;
-  Real<Case>*row, *partner_row;
+  Real<Case>*row, *partner_torque;
   Entries* entries;
   int k;
   template <class V>
@@ -95,12 +95,12 @@ FIXDEM_INLINE void add_row(T* sum, const T* row) {
   using V = Lanes<step, T>;
   for (int p = 0; p < Width; p += step) store(sum + p, load<V>(sum + p) + load<V>(row + p));
 }
-template <int Width, int W, class T>
-FIXDEM_INLINE void add_incoming_row(T* sum, const T* row) {
-  constexpr int step = W < Width ? W : Width;
+template <class Case, int W, class T>
+FIXDEM_INLINE void add_incoming_row(T* sum, const T* row, const T* torque) {
+  constexpr int width = Particles<Case>::motion_width, step = W < width ? W : width;
   using V = Lanes<step, T>;
-  for (int p = 0; p < Width; p += step)
-    store(sum + p, fused(load<V>(incoming_sign<T> + p), load<V>(row + p), load<V>(sum + p)));
+  for (int p = 0; p < width; p += step)
+    store(sum + p, fused(load<V>(incoming_sign<T> + p), incoming_part<Case, V>(row, torque, p), load<V>(sum + p)));
 }
 
 }  // namespace detail
@@ -155,9 +155,8 @@ class SparseContacts {
     }
     for (int k = list_.count; k % W != 0; ++k) list_.repeat_last(k);  // written twice, the same
     Partials<W, lanes, Real<Case>> overlap(monitors_[part_[0].range].overlap);
-    constexpr bool has_partner_rows = rows_per_contact < typename Side::Law >> 1;
     alignas(64) Real<Case> rows[Touching::room][width];
-    alignas(64) Real<Case> partner_rows[has_partner_rows ? Touching::room : 1][width];
+    alignas(64) Real<Case> torques[Side::has_partner_torques ? Touching::room : 1][4];
     EnergyEntries<Case, Touching::room> entries;
     Real<Case>* history = nullptr;
     if constexpr (size > 0) history = batches_.history.value;
@@ -165,37 +164,26 @@ class SparseContacts {
         side_, list_.owner, list_.partner, list_.count,
         [&](int k) FIXDEM_INLINE_LAMBDA {
           return detail::Packed<Case, W, (size + 3) / 4 * 4, decltype(entries)>{
-              history, list_.number + k, rows[k], partner_rows[has_partner_rows ? k : 0], &entries, k};
+              history, list_.number + k, rows[k], torques[Side::has_partner_torques ? k : 0], &entries, k};
         },
         overlap);
     overlap.put_back(monitors_[part_[0].range].overlap);
     for (int p = 0; p < parts_; ++p)
       entries.sum(part_[p].begin, part_[p].end, part_[p].number, monitors_[part_[p].range]);
     for (int k = 0; k < list_.count; ++k) {
-      if constexpr (has_partner_rows) {
-        add_or_keep(rows[k], list_.owner[k]);
-        add_or_keep(partner_rows[k], list_.partner[k]);
-        continue;
-      }
+      const Real<Case>* torque = torques[Side::has_partner_torques ? k : 0];
       if (later_ != nullptr) {
-        later_->put(rows[k], list_.owner[k], has_partners ? list_.partner[k] : RowsForLater<Case>::nobody);
+        later_->put(rows[k], torque, list_.owner[k], has_partners ? list_.partner[k] : RowsForLater<Case>::nobody);
         continue;
       }
       detail::add_row<width, W>(row_at<width>(sum_, list_.owner[k]), rows[k]);
-      if constexpr (has_partners) detail::add_incoming_row<width, W>(row_at<width>(sum_, list_.partner[k]), rows[k]);
+      if constexpr (has_partners)
+        detail::add_incoming_row<Case, W>(row_at<width>(sum_, list_.partner[k]), rows[k], torque);
     }
     list_.count = parts_ = 0;
   }
 
  private:
-  /// A row that concerns one particle alone.
-  void add_or_keep(const Real<Case> (&row)[width], std::uint32_t particle) {
-    if (later_ != nullptr)
-      later_->put(row, particle, RowsForLater<Case>::nobody);
-    else
-      detail::add_row<width, W>(row_at<width>(sum_, particle), row);
-  }
-
   /// Particles of the packed contacts from number `from` on.
   void name_particles(int from, int range, int owner_base, int partner_base) {
     part_[parts_++] = {range, from, list_.count, found_};
@@ -241,10 +229,11 @@ void add_later(const RowsForLater<Case>& later, Real<Case>* sum, int begin, int 
   const std::uint32_t first = static_cast<std::uint32_t>(begin) * of_chunk;
   const std::uint32_t span = static_cast<std::uint32_t>(end - begin) * of_chunk;
   for (int k = 0; k < *later.count; ++k) {
-    const Real<Case>* row = later.last_row - k * width;
+    const Real<Case>*row = later.last_row - k * width, *torque = nullptr;
+    if constexpr (has_partner_torques<Case>) torque = later.last_torque - k * 4;
     const std::uint32_t owner = later.last_owner[-k], partner = later.last_partner[-k];
     if (owner - first < span) detail::add_row<width, lanes>(row_at<width>(sum, owner), row);
-    if (partner - first < span) detail::add_incoming_row<width, lanes>(row_at<width>(sum, partner), row);
+    if (partner - first < span) detail::add_incoming_row<Case, lanes>(row_at<width>(sum, partner), row, torque);
   }
 }
 

@@ -117,9 +117,10 @@ void compute_dense(State<Case>& s, int range, Real<Case>* ring, long long step) 
   const auto are_still = [&] {
     return step > s.histories_given_at && s.near_list.is_still(s.near_list.velocities_of(range));
   };
-  if (!contacts.pairs.sparse[range])
-    dense_pairs<Case, W>(contacts.pairs, s.particles, range, are_still(),
-                         row(wraps ? Rows<Case>::wrap_first : contacts.first_row(range)), monitor);
+  if (!contacts.pairs.sparse[range]) {
+    Real<Case>* const first = row(wraps ? Rows<Case>::wrap_first : contacts.first_row(range));
+    dense_pairs<Case, W>(contacts.pairs, s.particles, range, are_still(), first, contacts.torque_at(first), monitor);
+  }
   if (wraps) return;
   for_each_wall_row<Case>(contacts, range, [&](auto& walls, int first_row) {
     if (!walls.sparse[range]) dense_walls<Case, W>(walls, s.particles, range, are_still(), row(first_row), monitor);

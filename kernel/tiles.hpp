@@ -96,10 +96,13 @@ void prefetch_chunk(const State<Case>& s, int chunk) {
 
 /// Copies the dense rows of a chunk from one place of a ring to another.
 template <class Case>
-void copy_rows(const Contacts<Case>& contacts, int chunk, Real<Case>* ring, int from, int to) {
+void copy_rows(Contacts<Case>& contacts, int chunk, Real<Case>* ring, int from, int to) {
   const int rows = for_each_wall_row<Case>(contacts, chunk, [](const auto&, int) {}) - contacts.first_row(chunk);
   constexpr int width = Contacts<Case>::row_width;
   __builtin_memcpy(ring + to * width, ring + from * width, static_cast<std::size_t>(rows * width) * sizeof(Real<Case>));
+  if constexpr (has_partner_torques<Case>)
+    __builtin_memcpy(contacts.torque_at(ring + to * width), contacts.torque_at(ring + from * width),
+                     static_cast<std::size_t>(rows * 4) * sizeof(Real<Case>));
 }
 
 }  // namespace detail

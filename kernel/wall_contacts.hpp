@@ -13,6 +13,7 @@ struct WallSide {
   using R = Real<Case>;
   static constexpr bool is_flat = Surface::is_flat, has_root = Surface::has_root;
   static constexpr bool needs_gap_square = is_mixed<Case> || !has_root;
+  static constexpr bool has_partner_torques = false;
 
   const double* position;
   const R* owner_motion;
@@ -78,7 +79,7 @@ void dense_walls(Walls& walls, const Particles<Case>& particles, int chunk, bool
                  StepMonitor<Case>& monitor) {
   const WallSide<Case, typename Walls::Surface> side(particles, chunk * Capacity<Case>::chunk_size);
   dense_contacts<Case, contact_lanes<Case, W>>(side, walls, Walls::first(chunk), walls.count[chunk], are_still, rows,
-                                               monitor);
+                                               nullptr, monitor);
 }
 
 /// Contacts with the walls of one kind in the sparse chunks from `begin` to `end`; see sparse_pairs.
