@@ -180,6 +180,8 @@ bool are_zeros_zero(const Contacts<Case>& contacts) {
   bool all = true;
   contacts.for_each_row_of_zeros([&](const Real<Case>* row) {
     for (int c = 0; c < Contacts<Case>::row_width; ++c) all = all && row[c] == 0;
+    if constexpr (has_partner_torques<Case>)
+      for (int c = 0; c < 4; ++c) all = all && contacts.torque_at(row)[c] == 0;
   });
   for (const auto& sum : contacts.sum)
     for (const Real<Case>& component : sum) all = all && component == 0;

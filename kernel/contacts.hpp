@@ -80,6 +80,7 @@ template <class Case, int Count, bool present = has_partner_torques<Case>>
 struct PartnerTorques {
   alignas(64) Real<Case> row[Count][4];
   Real<Case>* at(std::ptrdiff_t number) { return row[number]; }
+  const Real<Case>* at(std::ptrdiff_t number) const { return row[number]; }
 };
 template <class Case, int Count>
 struct PartnerTorques<Case, Count, false> {
@@ -270,6 +271,7 @@ struct Contacts {
   Real<Case>* ring(int step) { return rows + step * Rows<Case>::ring(2 * span + 1) * row_width; }
   /// On the partner of the contact with that force row.
   Real<Case>* torque_at(const Real<Case>* row) { return torques.at((row - rows) / row_width); }
+  const Real<Case>* torque_at(const Real<Case>* row) const { return torques.at((row - rows) / row_width); }
   /// Visits the row of zeros of each ring that there is room for.
   template <class F>
   void for_each_row_of_zeros(F&& f) const {
