@@ -84,7 +84,7 @@ struct BookedEnergy<Case, W, false> {
 /// Entries of packed contacts, until they are summed.
 template <class Case, int Room, bool present = Case::energy_ledger>
 struct EnergyEntries {
-  alignas(64) Real<Case> entry[ledger_entries<Case>][Room];
+  alignas(64) Real<Case> entry[ledger_entries<Case>][(Room + 15) / 16 * 16];  // each begins at 64 bytes
   template <class V>
   FIXDEM_INLINE void put(int k, const ContactForce<V>& f) {
     detail::for_each_entry<Case>(f, [&](int e, V value) FIXDEM_INLINE_LAMBDA { store(entry[e] + k, value); });

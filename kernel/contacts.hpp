@@ -74,8 +74,8 @@ template <class Case>
 inline constexpr bool has_partner_torques = ContactLaw<Case, false>::has_rolling;
 
 namespace detail {
-/// Torques on the partners: row k belongs to force row k, which has that on the owner. Three numbers for 32 bytes; a
-/// second force row for the partner took 3 % more of the bed's time.
+/// Torques on the partners: row k belongs to force row k, which has that on the owner. Half of a second force row,
+/// which took as long.
 template <class Case, int Count, bool present = has_partner_torques<Case>>
 struct PartnerTorques {
   alignas(64) Real<Case> row[Count][4];

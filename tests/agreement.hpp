@@ -3,8 +3,9 @@
 // The two round differently, and a granular bed amplifies a difference e-fold in about 1.2 ms (in a dense bed) to 4 ms:
 // over the 2 ms of 1000 steps, rounding at 1e-17 m grows to some 1e-14 m and more where spheres collide hard. Positions
 // must agree to 1e-11 diameters (1e-13 m here). A velocity difference belongs to a position difference over the time
-// scale of a contact, 1/(5e4 per s) at the least; a spin difference to a velocity difference over the radius. The gas
-// takes a relative error of up to 100 times that from the heights of its slices.
+// scale of a contact, 1/(5e4 per s) at the least; a spin difference to a velocity difference over the radius. Springs
+// of contacts differ as positions do, and those that slide a little more. The gas takes a relative error of up to 100
+// times that from the heights of its slices.
 //
 // In mixed precision every collision rounds the change of velocity: 2^-24 of 1 m/s is 6e-8 m/s, and over 2 ms 1e-8
 // diameters, before anything amplifies it. Whichever one quantity of a contact is in float, the others in double, the
@@ -20,8 +21,8 @@
 #include <set>
 #include <utility>
 
+#include "agreement_contacts.hpp"
 #include "kernel/fixdem.hpp"
-#include "reference/reference.hpp"
 #include "scenes.hpp"
 
 namespace fixdem::tests {
@@ -35,11 +36,6 @@ template <class Case>
 inline constexpr double mean_square_tolerance = is_mixed<Case> ? 0.1 : 1;  // of the tolerance, root mean square
 template <class Case>
 inline constexpr double energy_tolerance = is_mixed<Case> ? 1e-6 : 1e-9;  // of the largest term
-
-/// What happened to the contacts meanwhile: a comparison is worth little where nothing began, ended, slid or stuck.
-struct Events {
-  int begun = 0, ended = 0, sliding = 0, sticking = 0;
-};
 
 template <class Case>
 Simulation<Case>& kernel() {
@@ -67,6 +63,7 @@ Events check_agreement(const HandOver& state, const char* what, double tolerance
   start_from(slow, state);
 
   Events events;
+  double springs = 0;
   std::set<std::pair<int, int>> before;
   for (int piece = 0; piece < 100; ++piece) {
     run(slow, agreement_steps / 100);
@@ -76,18 +73,11 @@ Events check_agreement(const HandOver& state, const char* what, double tolerance
       for (const auto& key : before) events.ended += now.count(key) == 0;
     }
     before = now;
-    slow.for_each_contact([&](const auto& c) {
-      using D = Derived<Case>;
-      double pressing = std::abs(c.normal_force);
-      if (D::friction_limit == FrictionLimit::elastic)
-        pressing =
-            (c.partner >= 0 ? D::stiffness_pair : D::stiffness_wall) * std::pow(c.overlap, D::is_hertz ? 1.5 : 1);
-      const double mu = c.partner >= 0 ? Case::friction : D::wall_friction;
-      const bool slides = length(c.tangential_force) > mu * pressing * (1 - 1e-9);
-      (slides ? events.sliding : events.sticking) += 1;
-    });
+    slow.for_each_contact([&](const auto& c) { count_contact<Case>(c, events); });
+    if (piece % 10 != 9) continue;
+    run(fast, agreement_steps / 10);
+    springs = std::max(springs, difference_of_contacts<Case>(fast, slow, events));
   }
-  run(fast, agreement_steps);
 
   double position = 0, squares = 0, velocity = 0, spin = 0;
   for (int i = 0; i < Case::particle_count; ++i) {
@@ -110,17 +100,20 @@ Events check_agreement(const HandOver& state, const char* what, double tolerance
   CHECK(mean_square < mean_square_tolerance<Case> * tolerance);
   CHECK(velocity < velocity_tolerance);
   CHECK(spin < spin_tolerance);
+  CHECK(springs < 4 * tolerance);
   if (std::getenv("FIXDEM_FIGURES") != nullptr) {
     std::cerr << std::scientific << std::setprecision(1) << "  " << position << " d (root mean square " << mean_square
-              << "), " << velocity << " d/s, " << spin << " rad/s; begun " << events.begun << ", ended " << events.ended
-              << ", sliding " << events.sliding << ", sticking " << events.sticking << ": " << what << "\n";
+              << "), " << velocity << " d/s, " << spin << " rad/s, springs " << springs << " d (" << events.compared
+              << "); begun " << events.begun << ", ended " << events.ended << ", sliding " << events.sliding
+              << ", sticking " << events.sticking << ", rolling " << events.rolling << ", held " << events.held << ": "
+              << what << "\n";
   }
 
   if constexpr (Case::energy_ledger) {
     const auto a = fast.energy();
     const auto b = slow.energy();
     const double scale = b.kinetic + std::abs(b.dissipated_damping) + std::abs(b.dissipated_sliding) +
-                         std::abs(b.gravity_work) + std::abs(b.gas_work);
+                         std::abs(b.dissipated_rolling) + std::abs(b.gravity_work) + std::abs(b.gas_work);
     // Gravity's work is a difference of sums of heights, which round to 1e-16 of themselves; in mixed precision a bed
     // at rest, which does no other work, lies higher or lower by what its positions differ.
     const double height = is_mixed<Case> ? tolerance * Case::diameter : 1e-14 * Case::pipe_diameter;
@@ -129,6 +122,7 @@ Events check_agreement(const HandOver& state, const char* what, double tolerance
     CHECK(std::abs(a.kinetic - b.kinetic) <= energy_error);
     CHECK(std::abs(a.dissipated_damping - b.dissipated_damping) <= energy_error);
     CHECK(std::abs(a.dissipated_sliding - b.dissipated_sliding) <= energy_error);
+    CHECK(std::abs(a.dissipated_rolling - b.dissipated_rolling) <= energy_error);
     CHECK(std::abs(a.made_by_law - b.made_by_law) <= energy_error);
     CHECK(std::abs(a.gravity_work - b.gravity_work) <= energy_error);
     CHECK(std::abs(a.gas_work - b.gas_work) <= energy_error);

@@ -73,6 +73,39 @@ inline std::string replaced(std::string text, const std::string& piece, const st
   return text.replace(at, piece.size(), by);
 }
 
+/// The good case with one more line in [material].
+inline std::string with_material(const std::string& line) {
+  return replaced(good_case, "friction = 0.3", "friction = 0.3\n" + line);
+}
+
+/// The header that casegen prints, and what it says beside; it must accept the case.
+inline std::string printed(const std::string& text) {
+  const fs::path file = scratch() / "printed.toml";
+  write(file, text);
+  const Outcome outcome = casegen("'" + file.string() + "' --print");
+  CHECK_MESSAGE(outcome.exit_code == 0, outcome.output);
+  return outcome.output;
+}
+
+/// The members of a header, without the lines that hold the hash of the file.
+inline std::string members(const std::string& header) {
+  std::string kept;
+  for (std::size_t at = 0; at < header.size();) {
+    const std::size_t end = header.find('\n', at) + 1;
+    const std::string line = header.substr(at, end - at);
+    if (!contains(line, "xxh64") && !contains(line, "source_hash")) kept += line;
+    at = end;
+  }
+  return kept;
+}
+
+/// A case without [pipe] wall, ends and gas.
+inline std::string bare(std::string text) {
+  const auto gas = text.find("[gas]"), start = text.find("[start]");
+  text.erase(gas, start - gas);
+  return replaced(text, "wall = true", "wall = false");
+}
+
 /// One bad case: its exit code, position and words, and that no header appears or changes.
 inline void check_refused(const std::string& text, const std::string& at, const std::vector<const char*>& words) {
   const fs::path folder = scratch() / "bad", file = folder / "mine.toml", header = folder / "mine.hpp";

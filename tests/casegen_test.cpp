@@ -166,8 +166,9 @@ TEST_CASE("casegen's other options, exit codes and the table of keys in cases/RE
   CHECK(casegen("--start-from '" + cases + "/plug_u24.toml'").output == cases + "/fill_1000.toml\n");
   CHECK(casegen("--start-from '" + cases + "/settle.toml'").output.empty());
   CHECK(casegen("--name some/plug-2.toml").output == "plug_2\n");
-  CHECK(casegen("--name gravity.toml").output == "case_gravity\n");                 // a member of the header
-  for (const std::string name : {"wall_friction", "friction_limit", "tile_steps"})  // not in every header
+  CHECK(casegen("--name gravity.toml").output == "case_gravity\n");  // a member of the header
+  for (const std::string name :
+       {"wall_friction", "rolling_friction", "friction_limit", "tile_steps"})  // not in every header
     CHECK(casegen("--name " + name + ".toml").output == "case_" + name + "\n");
   CHECK(casegen("--name elastic.toml").output == "elastic\n");
   const std::string readme = read(cases + "/README.md"), keys = casegen("--keys").output;

@@ -7,38 +7,8 @@ using namespace casegen_test;
 
 namespace {
 
-std::string with_material(const std::string& line) {
-  return replaced(good_case, "friction = 0.3", "friction = 0.3\n" + line);
-}
 std::string with_contact(const std::string& line, const std::string& text = good_case) {
   return replaced(text, "[contact]\n", "[contact]\n" + line + "\n");
-}
-
-std::string printed(const std::string& text) {
-  const fs::path file = scratch() / "walls.toml";
-  write(file, text);
-  const Outcome outcome = casegen("'" + file.string() + "' --print");
-  CHECK_MESSAGE(outcome.exit_code == 0, outcome.output);
-  return outcome.output;
-}
-
-/// The members of a header, without the lines that hold the hash of the file.
-std::string members(const std::string& header) {
-  std::string kept;
-  for (std::size_t at = 0; at < header.size();) {
-    const std::size_t end = header.find('\n', at) + 1;
-    const std::string line = header.substr(at, end - at);
-    if (!contains(line, "xxh64") && !contains(line, "source_hash")) kept += line;
-    at = end;
-  }
-  return kept;
-}
-
-/// Without [pipe] wall, ends and gas.
-std::string bare(std::string text) {
-  const auto gas = text.find("[gas]"), start = text.find("[start]");
-  text.erase(gas, start - gas);
-  return replaced(text, "wall = true", "wall = false");
 }
 
 }  // namespace

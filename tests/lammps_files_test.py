@@ -21,7 +21,7 @@ sys.path[:0] = [str(root / part) for part in ("tests", "tools/peers", "tools/lam
 
 import counted  # noqa: E402
 import run_lammps  # noqa: E402
-from case_values import law_of, read_header  # noqa: E402
+from case_values import law_of, read_case, read_header, with_defaults  # noqa: E402
 from lammps_law import law_commands, refusal, tsuji_polynomial  # noqa: E402
 from scene_files import NEAR_REACH, SKIN, Refused, files  # noqa: E402
 from states import State  # noqa: E402
@@ -32,8 +32,11 @@ EXPORT = root / "tools" / "lammps" / "export_lammps.py"
 
 def case_of(name, **changed):
     """As if the case file had said so: walls have what particles have, unless it says otherwise."""
-    walls = {f"wall_{key}": changed[key] for key in ("friction", "restitution") if key in changed}
-    return read_header(HEADERS / f"{name}.hpp") | walls | changed
+    case = read_header(HEADERS / f"{name}.hpp")
+    for key in ("friction", "restitution", "rolling_friction"):
+        if key in changed:
+            del case[f"wall_{key}"]
+    return with_defaults(case | changed)
 
 
 def still(count):
@@ -110,10 +113,47 @@ class Law(unittest.TestCase):
         self.assertAlmostEqual(float(pair[5]) / (2 * math.sqrt(mass * 1e5)), 1, places=12)
         self.assertAlmostEqual(float(pair[5]) * float(pair[9]) / (2 * math.sqrt(mass * 4e4)), 1, places=12)
 
+    def test_rolling_resistance(self):
+        linear = {"normal": "linear", "normal_stiffness": 1e5, "tangential_stiffness": 4e4, "rolling_friction": 0.05}
+        case = case_of("settle", **linear)
+        (pair,), (pipe,), (ends,) = commands(case, "pair_coeff"), commands(case, "fix wall"), commands(case, "fix ends")
+        self.assertEqual(pair[11:], ["rolling", "sds", "40000.0", pair[5], "0.05", "damping", "velocity"])  # dashpot: that of sliding
+        self.assertEqual(ends[13:-3], ["rolling", "sds", "40000.0", ends[7], "0.05", "damping", "velocity"])
+        # Inside the pipe LAMMPS takes another effective radius for displacement and torque: the torque must be that of a flat wall.
+        effective = 0.005 * 0.075 / 0.07
+        stiffness, damping, friction = map(float, pipe[15:18])
+        self.assertAlmostEqual(stiffness * effective**2 / (4e4 * 0.005**2), 1, places=12)
+        self.assertAlmostEqual(damping * effective**2 / (float(ends[7]) * 0.005**2), 1, places=12)
+        self.assertAlmostEqual(friction * effective / (0.05 * 0.005), 1, places=12)
+        (pair,) = commands(case | {"damping": "critical"}, "pair_coeff")
+        self.assertAlmostEqual(float(pair[14]) / (2 * math.sqrt(law_of(case).mass * 4e4)), 1, places=12)
+        for walls, of_pair, of_wall in (
+            ({"wall_rolling_friction": 0.0}, True, False),
+            ({"wall_friction": 0.0}, True, False),  # a wall that turns nothing
+            ({"rolling_friction": 0.0, "wall_rolling_friction": 0.02}, False, True),
+        ):
+            case = case_of("settle", **linear | walls)
+            (pair,), (pipe,), (ends,) = commands(case, "pair_coeff"), commands(case, "fix wall"), commands(case, "fix ends")
+            self.assertEqual(("rolling" in pair, "rolling" in pipe, "rolling" in ends), (of_pair, of_wall, of_wall))
+        self.assertNotIn("rolling", " ".join(commands(case_of("settle"), "pair_coeff")[0]))
+
+    def test_peers_are_not_given_rolling_resistance(self):
+        header = (HEADERS / "pipe_bed.hpp").read_text()
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "rolling.hpp"
+            path.write_text(header)
+            self.assertEqual(read_case(path)["wall_rolling_friction"], 0)
+            path.write_text(header.replace("  // contact law", "  static constexpr double rolling_friction = 0x1p-4;\n  // contact law"))
+            with self.assertRaisesRegex(SystemExit, "rolling_friction is 0.0625; the peers can be given 0 only"):
+                read_case(path)
+            self.assertEqual(read_header(path)["wall_rolling_friction"], 0.0625)
+
     def test_what_cannot_be_given_is_refused_with_a_way_out(self):
         for changed, said, way_out in (
             ({"slider": "paper"}, 'slider = "paper"', '"clip"'),
             ({"friction_limit": "elastic"}, 'friction_limit = "elastic"', '"total"'),
+            ({"rolling_friction": 0.05}, 'rolling_friction = 0.05 with normal = "hertz"', 'normal = "linear"'),
+            ({"wall_rolling_friction": 0.05}, "wall_rolling_friction = 0.05", 'normal = "linear"'),
             ({"wall_restitution": 0.05}, "wall_restitution = 0.05", "wall_restitution between 0.12"),
             ({"ends": "open"}, 'ends = "open"', '"periodic"'),
             ({"restitution": 0.05}, "restitution = 0.05", "0.12"),

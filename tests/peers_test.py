@@ -156,10 +156,12 @@ class States(WithFolder):
 
     def test_a_final_state_reads_back(self):
         self.assertEqual(read_final(self.file(self.final())), STATE)
+        rolling = self.final().replace(b"\1\0\0\0\5", b"\2\0\0\0\5")
+        self.assertEqual(read_final(self.file(rolling)), STATE)
 
     def test_other_files_are_no_final_states(self):
-        later = self.final().replace(b"\1\0\0\0\5", b"\2\0\0\0\5")
-        for content, message in ((b"nothing", "first bytes"), (self.final()[:100], "cut short"), (later, "version 2")):
+        later = self.final().replace(b"\1\0\0\0\5", b"\3\0\0\0\5")
+        for content, message in ((b"nothing", "first bytes"), (self.final()[:100], "cut short"), (later, "version 3")):
             with self.assertRaisesRegex(SystemExit, message):
                 read_final(self.file(content))
 

@@ -102,7 +102,7 @@ Spheres all_particles(const Solver& solver, int count) {
 
 struct KeptHistory {
   int owner, partner;
-  double history[3];
+  double history[3], rolling[3];
 };
 
 /// Everything that another solver needs to go on: spheres and contact histories.
@@ -115,7 +115,9 @@ template <class Solver>
 HandOver hand_over_from(const Solver& solver, int count) {
   HandOver state{all_particles(solver, count), {}};
   solver.for_each_contact([&](const auto& c) {
-    state.histories.push_back({c.owner, c.partner, {c.history[0], c.history[1], c.history[2]}});
+    KeptHistory kept{c.owner, c.partner, {}, {}};
+    for (int k = 0; k < 3; ++k) kept.history[k] = c.history[k], kept.rolling[k] = c.rolling_history[k];
+    state.histories.push_back(kept);
   });
   return state;
 }
@@ -124,7 +126,7 @@ template <class Solver>
 void start_from(Solver& solver, const HandOver& state) {
   place_all(solver, state.spheres);
   start(solver);
-  for (const KeptHistory& h : state.histories) solver.restore_history(h.owner, h.partner, h.history);
+  for (const KeptHistory& h : state.histories) solver.restore_history(h.owner, h.partner, h.history, h.rolling);
 }
 
 }  // namespace fixdem::tests

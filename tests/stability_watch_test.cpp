@@ -59,6 +59,52 @@ TEST_CASE("stability watch: a sphere on a wall, and two spheres, allow what thei
   CHECK(of_pair.seconds > 0.95 * 2 / std::sqrt(pair));
 }
 
+TEST_CASE("stability watch: rolling springs stiffen a contact with a wall, and a pair not at all") {
+  CaseFacts facts = facts_without_damping();
+  const StepCriterion& euler = criterion_of(Integrator::euler);
+  const double of_slip = stable_step(facts, euler, {contact(7, -1, overlap)}).seconds;
+  facts.pair_contact.rolling_friction = facts.wall_contact.rolling_friction = 0.05;
+  // Slip and rolling of one turning: [[1, s], [s, 5]] k_t/m with s^2 = 5/2, 3 + sqrt(13/2) = 5.55 instead of 3.5.
+  const double wall = (3 + std::sqrt(6.5)) * facts.wall_contact.tangential_stiffness * std::sqrt(overlap) / facts.mass;
+  const double on_wall = stable_step(facts, euler, {contact(7, -1, overlap)}).seconds;
+  CHECK(on_wall <= 2 / std::sqrt(wall) * (1 + 1e-12));
+  CHECK(on_wall > 0.95 * 2 / std::sqrt(wall));
+  CHECK(on_wall < 0.85 * of_slip);
+  // The two spheres turn alike where they slip, and then they do not roll: 7 as without.
+  const double pair = 7 * facts.pair_contact.tangential_stiffness * std::sqrt(overlap) / facts.mass;
+  const double of_pair = stable_step(facts, euler, {contact(3, 9, overlap)}).seconds;
+  CHECK(of_pair <= 2 / std::sqrt(pair));
+  CHECK(of_pair > 0.9 * 2 / std::sqrt(pair));
+  // Each kind of contact by its own coefficient.
+  facts.wall_contact.rolling_friction = 0;
+  CHECK(stable_step(facts, euler, {contact(7, -1, overlap)}).seconds == of_slip);
+  CHECK(stable_step(facts, euler, {contact(3, 9, overlap)}).seconds == of_pair);
+}
+
+TEST_CASE("stability watch: rolling is damped as sliding is, with the linear law, too") {
+  CaseFacts facts = case_facts<cases::settle>();
+  facts.wall_contact.rolling_friction = 0.05;
+  for (const NormalLaw law : {NormalLaw::hertz, NormalLaw::linear}) {
+    const TangentSpring s = tangent_spring(law, facts.wall_contact, overlap);
+    CHECK(s.rolling_stiffness == s.tangential_stiffness);
+    CHECK(s.rolling_damping == s.tangential_damping);
+    const TangentSpring pair = tangent_spring(law, facts.pair_contact, overlap);
+    CHECK(pair.rolling_stiffness == 0);
+    CHECK(pair.rolling_damping == 0);
+  }
+  // h^2 k + factor h c = 4 along the stiffest motion, in which the normal spring has no part.
+  const TangentSpring s = tangent_spring(facts.normal, facts.wall_contact, overlap);
+  const double root = 3 + std::sqrt(6.5);
+  for (const StepCriterion& criterion : step_criteria) {
+    const double k = root * s.tangential_stiffness / facts.mass;
+    const double c = root * criterion.tangential_damping * s.tangential_damping / facts.mass;
+    const double exact = 8 / (c + std::sqrt(c * c + 16 * k));
+    const double bound = stable_step(facts, criterion, {contact(0, -1, overlap)}).seconds;
+    CHECK(bound <= exact * (1 + 1e-12));
+    CHECK(bound > 0.95 * exact);
+  }
+}
+
 TEST_CASE("stability watch: damping takes from the step what the criterion says") {
   CaseFacts facts = case_facts<cases::settle>();
   facts.pair_contact.friction = facts.wall_contact.friction = 0;  // normal springs only: h^2 k + factor h c = 4
@@ -123,7 +169,7 @@ class Standing : public SimulationView {
   explicit Standing(long long touching_from) : touching_from_(touching_from) {}
   void place(int, const Particle&) override {}
   Status start() override { return {}; }
-  void restore_history(int, int, const double (&)[3]) override {}
+  void restore_history(int, int, const double (&)[3], const double (&)[3]) override {}
   Status run(long long steps) override { return step_ += steps, Status{}; }
   long long step() const override { return step_; }
   double time() const override { return static_cast<double>(step_) * 1e-4; }

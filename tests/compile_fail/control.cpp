@@ -1,5 +1,5 @@
-// The control: the base case itself, its linear twin, one with gas, one particle in gas in a
-// vertical pipe, and one in mixed precision must compile.
+// The control: the base case itself, its linear twin, one with gas, one particle in gas in a vertical pipe, one in
+// mixed precision and two with rolling resistance must compile.
 #include "base.hpp"
 
 namespace fixdem::compile_fail {
@@ -19,9 +19,17 @@ struct GrainInGas : Gas {
 struct Mixed : Base {
   static constexpr auto precision = Precision::mixed_precision;
 };
+struct Rolling : Base {
+  static constexpr double rolling_friction = 0.05;
+};
+struct RollingOnWalls : Base {
+  static constexpr double friction = 0, wall_friction = 0.3, wall_rolling_friction = 0.05;
+};
 template int use<Base>();
 template int use<Linear>();
 template int use<Gas>();
 template int use<GrainInGas>();
 template int use<Mixed>();
+template int use<Rolling>();
+template int use<RollingOnWalls>();
 }  // namespace fixdem::compile_fail

@@ -13,7 +13,9 @@
 //   step, or
 //     from the beginning of the contact; damping by the mean of eta along the half steps (the second one to d_G), at
 //     the slip extrapolated to the middle of the step. With the linear law the powers are 1, 0 and 1 in place of 3/2,
-//     1/4 and 5/4.
+//     1/4 and 5/4;
+//   - rolling resistance with k_t itself, the same mean of eta at the rolling velocity of the step, and the elastic
+//     impulse as the force of its limit.
 // Means of powers are differences of antiderivatives, or Gauss' rule where these would cancel. SI units; what is
 // returned are mean forces over the step. Written from these sentences, not from the kernel.
 #pragma once
@@ -72,6 +74,7 @@ ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encoun
   if (c.friction == 0) return out;
 
   Scalar k_t = !pressed ? 0 : hertz ? c.tangential_stiffness * std::sqrt(d) : c.tangential_stiffness;
+  const Scalar rolling_stiffness = k_t;
   const Scalar x = std::min(std::sqrt(Scalar(3.5L) * bodies * k_t / sphere.mass) * half, Scalar(1));
   if (x > 0) k_t *= std::sin(x) / x * (std::sin(x) / x);
   const Scalar eta_t = c.tangential_damping * time_mean(damping_power, for_state);
@@ -93,24 +96,23 @@ ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encoun
   const Vector<Scalar> unrescaled = turned_into_plane(memory.history, at.n);
   const Vector<Scalar> last_s = keeps_displacement ? Vector<Scalar>(last_k_t * unrescaled) : unrescaled;
   Vector<Scalar> h = Vector<Scalar>::Zero();
+  SpringEntries<Scalar> sliding;
   if (pressed) {
     const Vector<Scalar> trial = kept + per_slip * grows * slip;
     h = spring_within_limit<Case, Scalar>(kept, per_slip * grows * slip, limit / to_force, memory.limit);
-    book_spring<Scalar>(last_s, last_k_t, to_force * h, k_t, grows * slip, (trial - h) / per_slip, memory, out);
+    sliding = book_spring<Scalar>(last_s, last_k_t, to_force * h, k_t, grows * slip, (trial - h) / per_slip, memory);
   } else {
-    out.made_by_law = -memory.spring_energy;
-    memory.spring_energy = 0;
+    sliding = book_opening<Scalar>(memory);
   }
   const Vector<Scalar> s = (pressed ? to_force : Scalar(0)) * h;
   Vector<Scalar> f_t = -(s + eta_t * slip_in_middle);
-  if (f_t.norm() > limit) f_t *= limit / f_t.norm();
+  f_t = no_longer_than<Scalar>(f_t, limit);
   memory.history = h;
   memory.stiffness = k_t;
   memory.surface_velocity = surface;
 
-  out.tangential_force = f_t;
-  out.torque = sphere.radius * at.n.cross(f_t);
-  out.damping_loss += (-f_t - s).dot(mean_slip<Case>(at, slip, f_t)) * dt;
+  const auto rolling = rolling_force<Case>(c, at, rolling_stiffness, eta_t, -out.normal_force - damping, grows, memory);
+  add_tangential<Case>(at, slip, f_t, s, sliding, rolling, out);
   return out;
 }
 

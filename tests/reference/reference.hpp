@@ -20,7 +20,6 @@
 #include "impulse_reference.hpp"
 #include "near_pairs.hpp"
 #include "reference_state.hpp"
-#include "seen_reference.hpp"
 
 namespace fixdem::reference {
 
@@ -46,11 +45,13 @@ class Reference {
     }
   }
 
-  /// Hands over the history of a contact, seen from `owner`, before the first step.
-  void restore_history(int owner, int partner, const double h[3]) {
+  /// Hands over the histories of a contact, seen from `owner`, before the first step. That of rolling is the same from
+  /// either side.
+  void restore_history(int owner, int partner, const double h[3], const double* rolling = nullptr) {
     const bool swapped = partner >= 0 && partner < owner;
     Memory<Scalar>& memory = contacts_[swapped ? Key{partner, owner} : Key{owner, partner}].memory;
     memory.history = from_array(h) * Scalar(swapped ? -1 : 1);
+    if (rolling != nullptr) memory.rolling.history = from_array(rolling);
   }
 
   /// Visits listed pairs only: the same results, sooner.
@@ -78,19 +79,8 @@ class Reference {
   /// Visits the contacts of the last force evaluation.
   template <class F>
   void for_each_contact(F&& visit) const {
-    for (const auto& [key, contact] : contacts_) {
-      if (!(contact.overlap > 0)) continue;
-      Contact c{};
-      c.owner = key.first, c.partner = key.second;
-      c.overlap = static_cast<double>(contact.overlap);
-      c.normal_force = static_cast<double>(-contact.force.normal_force);
-      for (int k = 0; k < 3; ++k) {
-        c.normal[k] = static_cast<double>(contact.n[k]);
-        c.tangential_force[k] = static_cast<double>(contact.force.tangential_force[k]);
-        c.history[k] = static_cast<double>(contact.memory.history[k]);
-      }
-      visit(c);
-    }
+    for (const auto& [key, contact] : contacts_)
+      if (contact.overlap > 0) visit(shown(key, contact));
   }
 
   /// Kinetic energy now, elastic energy at the last force evaluation, the rest since the start.
@@ -149,9 +139,16 @@ class Reference {
   }
 
   ContactForce<Scalar> touch(Key key, const Coefficients<Scalar>& coefficients, Scalar overlap, const Vector3& n,
-                             const Vector3& relative_velocity, const Vector3& predicted, const Vector3& spin_sum) {
+                             const Vector3& relative_velocity, const Vector3& predicted, const Vector3& spin,
+                             const Vector3& spin_of_partner) {
     Touching& contact = contacts_[key];
-    const Encounter<Scalar> at{overlap, n, relative_velocity, predicted.dot(n), spin_sum, key.second >= 0 ? 2 : 1};
+    const Encounter<Scalar> at{overlap,
+                               n,
+                               relative_velocity,
+                               predicted.dot(n),
+                               spin + spin_of_partner,
+                               spin - spin_of_partner,
+                               key.second >= 0 ? 2 : 1};
     if (Case::integrator == Integrator::impulse) {
       if (step_ == 0) contact.memory.state = -1;
       contact.force = contact_impulse<Case>(coefficients, at, contact.memory);
@@ -159,9 +156,7 @@ class Reference {
       contact.force = contact_force<Case>(coefficients, at, contact.memory);
     }
     contact.n = n, contact.overlap = overlap, contact.last_step = step_;
-    energy_.dissipated_damping += static_cast<double>(contact.force.damping_loss);
-    energy_.dissipated_sliding += static_cast<double>(contact.force.sliding_loss);
-    energy_.made_by_law += static_cast<double>(contact.force.made_by_law);
+    book(contact.force, energy_);
     return contact.force;
   }
 
@@ -175,9 +170,9 @@ class Reference {
   void touch_wall(int i, int wall, Scalar overlap, const Vector3& n) {
     if (!(overlap > 0 || has_just_opened({i, wall}))) return;
     Sphere& s = spheres_[i];
-    const auto f = touch({i, wall}, at_wall, overlap, n, s.v, predicted_velocity(s), s.omega);
+    const auto f = touch({i, wall}, at_wall, overlap, n, s.v, predicted_velocity(s), s.omega, Vector3::Zero());
     s.force += f.normal_force * n + f.tangential_force;
-    s.torque += f.torque;
+    s.torque += f.torque + f.rolling_torque;
   }
 
   void contact_forces() {
@@ -189,10 +184,10 @@ class Reference {
       Sphere &a = spheres_[i], &b = spheres_[j];
       const Vector3 n = between / distance;
       const auto f = touch({i, j}, between_spheres, overlap, n, a.v - b.v,
-                           predicted_velocity(a) - predicted_velocity(b), a.omega + b.omega);
+                           predicted_velocity(a) - predicted_velocity(b), a.omega, b.omega);
       const Vector3 force = f.normal_force * n + f.tangential_force;  // eq. (13)
       a.force += force, b.force -= force;
-      a.torque += f.torque, b.torque += f.torque;
+      a.torque += f.torque + f.rolling_torque, b.torque += f.torque - f.rolling_torque;  // eqs. (14), (49)
     });
     for (int i = 0; i < Case::particle_count; ++i) {
       const Vector3 x = spheres_[i].x;
@@ -208,7 +203,7 @@ class Reference {
     }
     std::erase_if(contacts_, [this](const auto& entry) {
       if (entry.second.last_step == step_) return false;
-      energy_.made_by_law -= static_cast<double>(entry.second.memory.spring_energy);  // what the spring held is lost
+      book_end(entry.second.memory, energy_);
       return true;
     });
   }

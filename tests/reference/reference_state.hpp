@@ -1,7 +1,10 @@
-// What the reference keeps of each sphere and of each contact from one step to the next.
+// What the reference keeps of each sphere and of each contact from one step to the next, and how it shows and books it.
 #pragma once
 
+#include <utility>
+
 #include "contact_reference.hpp"
+#include "seen_reference.hpp"
 
 namespace fixdem::reference {
 
@@ -23,5 +26,36 @@ struct ContactState {
   Scalar overlap = 0;
   long long last_step = -1;
 };
+
+/// As it was in the last force evaluation; `key`: owner and partner.
+template <class Scalar>
+Contact shown(std::pair<int, int> key, const ContactState<Scalar>& contact) {
+  Contact c{};
+  c.owner = key.first, c.partner = key.second;
+  c.overlap = static_cast<double>(contact.overlap);
+  c.normal_force = static_cast<double>(-contact.force.normal_force);
+  for (int k = 0; k < 3; ++k) {
+    c.normal[k] = static_cast<double>(contact.n[k]);
+    c.tangential_force[k] = static_cast<double>(contact.force.tangential_force[k]);
+    c.history[k] = static_cast<double>(contact.memory.history[k]);
+    c.rolling_force[k] = static_cast<double>(contact.force.rolling_force[k]);
+    c.rolling_history[k] = static_cast<double>(contact.memory.rolling.history[k]);
+  }
+  return c;
+}
+
+template <class Scalar>
+void book(const ContactForce<Scalar>& f, Energy& energy) {
+  energy.dissipated_damping += static_cast<double>(f.damping_loss);
+  energy.dissipated_sliding += static_cast<double>(f.sliding_loss);
+  energy.dissipated_rolling += static_cast<double>(f.rolling_loss);
+  energy.made_by_law += static_cast<double>(f.made_by_law);
+}
+
+/// A contact is forgotten: what its springs held is lost.
+template <class Scalar>
+void book_end(const Memory<Scalar>& memory, Energy& energy) {
+  energy.made_by_law -= static_cast<double>(memory.spring_energy + memory.rolling.spring_energy);
+}
 
 }  // namespace fixdem::reference

@@ -18,11 +18,13 @@ struct Contact {
   double normal_force;  ///< positive: repulsion
   double tangential_force[3];
   double history[3];
+  double rolling_force[3];  ///< q of eq. (48), on the owner
+  double rolling_history[3];
 };
 
 struct Energy {
   double kinetic = 0, elastic = 0, dissipated_damping = 0, dissipated_sliding = 0, gravity_work = 0, gas_work = 0;
-  double made_by_law = 0;
+  double dissipated_rolling = 0, made_by_law = 0;
 };
 
 constexpr int pipe_wall = -1, lower_end = -2, upper_end = -3;  ///< partner numbers of the walls

@@ -20,6 +20,7 @@ import numpy as np
 root = Path(__file__).parent.parent.parent
 for part in ("report", "run_report"):
     sys.path.insert(0, str(root / "tools" / part))
+import page_content
 import player_data
 from frames import frame_list, read_frame
 
@@ -66,6 +67,18 @@ def packing():
     check("... and those that are left are right", found["z"].shape == left.shape and np.abs(found["z"] - left).max() < np.ptp(left) / 65535)
 
 
+def rolling():
+    """The ledger and its chart have what is lost by rolling where a run has it."""
+    energy = {"kinetic": 1.0, "elastic": 0.5, "dissipated_damping": 2.0, "dissipated_sliding": 1.0, "made_by_law": 0.0, "gravity_work": 3.0,
+              "gas_work": None, "balance_error": 0.0}  # fmt: skip
+    log = {"kinetic": [2.0, 1.0], "elastic energy [J]": [0.0, 0.5]}
+    without, with_it = (page_content.ledger({"energy": some}, log) for some in (energy, energy | {"rolling": 0.5}))
+    check("the ledger says nothing of rolling where none is resisted", "rolling" not in without and "-0.5" in without)
+    check("... and counts it where it is", "lost by rolling" in with_it and "-0.5" not in with_it)
+    (chart,) = page_content.charts(log | {"dissipated by rolling [J]": [0.0, 0.5]})
+    check("... in the chart, too", "lost by rolling" in [line["label"] for line in chart["lines"]])
+
+
 def expectations(run, case):
     frames = [(time, read_frame(path)) for time, path in frame_list(run / "frames.pvd")]
     position = np.array([frame["position"] for _, frame in frames])
@@ -91,6 +104,7 @@ def expectations(run, case):
 
 def main(run, page, case_file, node_folder, chromium, *pictures):
     packing()
+    rolling()
     check("the page is below 15 MB", Path(page).stat().st_size < 15e6, f"{Path(page).stat().st_size / 1e6:.2f} MB")
     text = Path(page).read_text()
     check("... and refers to nothing outside", 'src="http' not in text and "@import" not in text and "<link" not in text)

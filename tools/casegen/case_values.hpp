@@ -36,6 +36,8 @@ struct CaseValues {
   double wall_poisson_ratio = 0;
   double wall_friction = 0;
   double wall_restitution = 0;
+  double rolling_friction = 0;
+  double wall_rolling_friction = 0;
 
   std::string normal = "hertz";
   std::string tangential = "displacement";
@@ -52,6 +54,11 @@ struct CaseValues {
   bool wall = true;
   bool has_walls() const { return wall || ends == "closed"; }
   bool has_rotation() const { return friction > 0 || (has_walls() && wall_friction > 0); }
+
+  // What a wall has where the file says nothing of it.
+  double default_wall_friction() const { return friction; }
+  double default_wall_restitution() const { return restitution; }
+  double default_wall_rolling_friction() const { return wall_friction > 0 ? rolling_friction : 0; }
 
   bool has_gas = false;
   double gas_velocity = 0;      // m/s, superficial

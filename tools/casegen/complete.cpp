@@ -29,8 +29,9 @@ void complete(Reading& reading) {
     if (!reading.has("material.wall_youngs_modulus")) v.wall_youngs_modulus = v.youngs_modulus;
     if (!reading.has("material.wall_poisson_ratio")) v.wall_poisson_ratio = v.poisson_ratio;
   }
-  if (!reading.has("material.wall_friction")) v.wall_friction = v.friction;
-  if (!reading.has("material.wall_restitution")) v.wall_restitution = v.restitution;
+  if (!reading.has("material.wall_friction")) v.wall_friction = v.default_wall_friction();
+  if (!reading.has("material.wall_restitution")) v.wall_restitution = v.default_wall_restitution();
+  if (!reading.has("material.wall_rolling_friction")) v.wall_rolling_friction = v.default_wall_rolling_friction();
   if (v.has_gas && !reading.has("gas.bed_diameter")) v.gas_bed_diameter = v.diameter;
   if (!reading.has("gas.slice_length")) v.gas_slice_length = v.diameter;
   if (v.gas_slice_length > 0) {

@@ -107,7 +107,7 @@ void check_gas_gravity(const Reading& reading, Report& report) {
 void check_walls_and_friction(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
   if (!v.has_walls() && reading.usable({"pipe.wall", "pipe.ends"}))
-    for (const char* key : {"material.wall_friction", "material.wall_restitution"})
+    for (const char* key : {"material.wall_friction", "material.wall_restitution", "material.wall_rolling_friction"})
       if (reading.has(key))
         report.error(
             reading.place(key),
@@ -129,6 +129,32 @@ void check_walls_and_friction(const Reading& reading, Report& report) {
     report.error(reading.place("contact.friction_limit"),
                  fmt::format("{} with slider = \"paper\"; allowed: \"total\"", reading.quote("contact.friction_limit")),
                  "eqs. (10)-(12) to the letter use the whole force: choose slider = \"clip\" or \"exact\"");
+}
+
+/// Rolling resistance needs friction, of particles or of walls, and is of use only below it.
+void check_rolling(const Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  const auto check = [&](const char* key, double rolling, const char* friction_key, double friction) {
+    const std::string name = std::string("material.") + key, needed = std::string("material.") + friction_key;
+    if (!reading.usable({name, needed, "material.friction"}) || !(rolling > 0)) return;
+    const std::string pair = fmt::format("{} = {} with {} = {}", key, rolling, friction_key, friction);
+    if (friction == 0 && reading.has(name))
+      report.error(reading.place(name), fmt::format("[material] {}; allowed: 0", pair),
+                   fmt::format("without friction nothing turns: set {} above 0 or remove it", friction_key));
+    else if (friction > 0 && !(rolling < friction))
+      report.warning(reading.place(reading.has(name) ? name : needed),
+                     fmt::format("[material] {} = {} is not below {} = {}: particles will slide rather than roll", key,
+                                 rolling, friction_key, friction),
+                     fmt::format("lower {}, or raise {}, if they are to roll", key, friction_key));
+  };
+  check("rolling_friction", v.rolling_friction, "friction", v.friction);
+  const bool has_own = reading.has("material.wall_friction") || reading.has("material.wall_rolling_friction");
+  if (!v.has_walls() || !has_own || !reading.usable({"pipe.wall", "pipe.ends", "material.rolling_friction"})) return;
+  CaseValues of_wall = v;
+  if (!reading.has("material.wall_friction")) of_wall.wall_friction = v.default_wall_friction();
+  if (!reading.has("material.wall_rolling_friction"))
+    of_wall.wall_rolling_friction = of_wall.default_wall_rolling_friction();
+  check("wall_rolling_friction", of_wall.wall_rolling_friction, "wall_friction", of_wall.wall_friction);
 }
 
 void check_law_and_gas(const Reading& reading, Report& report) {
@@ -154,6 +180,7 @@ void check_conditions(Reading& reading, Report& report) {
   check_applicable_keys(reading, report);
   check_start(reading, report);
   check_walls_and_friction(reading, report);
+  check_rolling(reading, report);
   check_law_and_gas(reading, report);
 }
 

@@ -70,7 +70,9 @@ class Members {
 
 /// The same case where it says nothing of the keys that are in a header only if they say something.
 CaseValues silent_of(CaseValues values) {
-  values.wall_friction = values.friction, values.wall_restitution = values.restitution;
+  values.wall_rolling_friction = values.default_wall_rolling_friction();  // with the friction that the wall has
+  values.wall_friction = values.default_wall_friction(), values.wall_restitution = values.default_wall_restitution();
+  values.rolling_friction = 0;
   values.friction_limit = "total";
   return values;
 }
@@ -89,6 +91,9 @@ void write_physics(Members& members, const CaseValues& v) {
   members.real("wall_poisson_ratio", v.wall_poisson_ratio, "");
   if (v.wall_friction != silent.wall_friction) members.real("wall_friction", v.wall_friction, "");
   if (v.wall_restitution != silent.wall_restitution) members.real("wall_restitution", v.wall_restitution, "");
+  if (v.rolling_friction != silent.rolling_friction) members.real("rolling_friction", v.rolling_friction, "");
+  if (v.wall_rolling_friction != silent.wall_rolling_friction)
+    members.real("wall_rolling_friction", v.wall_rolling_friction, "");
 
   members.heading("contact law");
   members.choice("NormalLaw", "normal", v.normal);
@@ -193,7 +198,8 @@ bool is_reserved(const std::string& name) {
       "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "union", "unsigned", "using", "virtual",
       "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "linux", "unix", "fixdem", "cases",
       // members that only some headers have
-      "tile_steps", "memory_budget", "wall_friction", "wall_restitution", "friction_limit", "FrictionLimit"};
+      "tile_steps", "memory_budget", "wall_friction", "wall_restitution", "friction_limit", "FrictionLimit",
+      "rolling_friction", "wall_rolling_friction"};
   if (words.contains(name)) return true;
   static const std::string members = write_members({}, {});
   const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };

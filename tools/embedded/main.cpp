@@ -30,7 +30,7 @@ bool begin() {
   if (!simulation.start().ok()) return false;
   for (int k = 0; k < fixdem::embedded::history_count; ++k) {
     const auto& h = fixdem::embedded::histories[k];
-    simulation.restore_history(h.owner, h.partner, h.value);
+    simulation.restore_history(h.owner, h.partner, h.value, h.rolling);
   }
   return true;
 }

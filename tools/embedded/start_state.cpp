@@ -26,8 +26,8 @@ class Recorder final : public program::SimulationView {
     particles +=
         fmt::format("    {{{}, {}, {}}},\n", triple(p.position), triple(p.velocity), triple(p.angular_velocity));
   }
-  void restore_history(int owner, int partner, const double (&history)[3]) override {
-    histories += fmt::format("    {{{}, {}, {}}},\n", owner, partner, triple(history));
+  void restore_history(int owner, int partner, const double (&history)[3], const double (&rolling)[3]) override {
+    histories += fmt::format("    {{{}, {}, {}, {}}},\n", owner, partner, triple(history), triple(rolling));
     ++history_count;
   }
   Status start() override { return {}; }
@@ -60,11 +60,11 @@ int main(int argc, char** argv) try {
   fmt::print(
       "// The start state of {}; generated, do not edit.\n#pragma once\n\n#include \"kernel/particles.hpp\"\n\n"
       "namespace fixdem::embedded {{\n\ninline constexpr Particle start[] = {{\n{}}};\n\n"
-      "struct History {{\n  int owner, partner;\n  double value[3];\n}};\n"
+      "struct History {{\n  int owner, partner;\n  double value[3], rolling[3];\n}};\n"
       "inline constexpr int history_count = {};\ninline constexpr History histories[] = {{\n{}}};\n\n"
       "}}  // namespace fixdem::embedded\n",
       facts.name, recorder.particles, recorder.history_count,
-      recorder.history_count > 0 ? recorder.histories : "    {0, 0, {0, 0, 0}}\n");
+      recorder.history_count > 0 ? recorder.histories : "    {0, 0, {0, 0, 0}, {0, 0, 0}}\n");
   return 0;
 } catch (const program::Failure& failure) {
   fmt::print(stderr, "start_state: {}\n", failure.what());

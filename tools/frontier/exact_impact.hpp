@@ -1,12 +1,15 @@
 // One impact by an adaptive solver with event location: the truth for the kernel's impacts.
 //
 // A sphere meets a flat wall or, head on, an equal one. Unknowns: overlap x, its rate v, history h (tangential
-// displacement, or spring force in the incremental forms), tangential velocity w of the centre and surface velocity y
-// of the rotation; slip u = w + y. With R = K x^p + eta v (repulsion, eqs. 6, 18), c = k_t or 1, and B = mu |R| / c:
+// displacement, or spring force in the incremental forms), tangential velocity w of the centre, surface velocity y
+// of the rotation, and the history of rolling; slip u = w + y. With R = K x^p + eta v (repulsion, eqs. 6, 18), c = k_t
+// or 1, and B = mu |R| / c:
 //
 //   sticking   h' = u  |  k_t u  |  k_t u + h k_t'/k_t while k_t falls (`rescale`)         while |h| <= B
 //   sliding    h  = +-B                                                       while that growth would exceed B'
-//   f_t = -(c h + eta u), capped at mu |R|;  v' = -R/M,  w' = f_t/m,  y' = 5/2 f_t/m
+//   f_t = -(c h + eta u), capped at mu |R|;  v' = -R/M,  w' = f_t/m,  y' = 5/2 (f_t + q)/m
+//
+// and rolling, q, is the same once more with y for u and mu_r K x^p for mu |R| (a head-on pair does not turn).
 //
 // This is the limit for vanishing steps of eqs. (6)-(12) with slider "clip". Runge-Kutta-Fehlberg 7(8) of Boost.Odeint
 // in long double with step-size control; a step in which any regime changes (end of contact, stick and slip, cap of the
@@ -35,7 +38,8 @@ struct Outcome {
 
 class ExactImpact {
   using Scalar = long double;
-  using State = std::array<Scalar, 5>;  // overlap, its rate, history, tangential velocity, surface velocity of the spin
+  /// Overlap, its rate, history, tangential velocity, surface velocity of the spin, history of rolling.
+  using State = std::array<Scalar, 6>;
 
  public:
   /// `mass`: that of a sphere; `effective_mass`: M of the normal motion.
@@ -44,17 +48,18 @@ class ExactImpact {
       : law_(law),
         limit_(limit),
         hertz_(is_hertz),
-        mu_(c.friction),
+        mu_{c.friction, c.rolling_friction},
         mass_(mass),
         effective_(effective_mass),
         tolerance_(tolerance) {
     unscaled_ = c;
   }
 
-  Outcome solve(Scalar normal_speed, Scalar tangential_speed) {
+  /// `surface_spin`: radius times the angular velocity before the impact.
+  Outcome solve(Scalar normal_speed, Scalar tangential_speed, Scalar surface_spin = 0) {
     scale(normal_speed);
-    State x{0, 1, 0, tangential_speed / normal_speed, 0};
-    sliding_ = 0;
+    State x{0, 1, 0, tangential_speed / normal_speed, surface_spin / normal_speed, 0};
+    sliding_ = {};
     peak_ = 0;
     Scalar time = 0, step = 1e-12L;
     // make_controlled copies the scratch space of a stepper, too. One of static storage has some; g++ 14 warns of
@@ -86,7 +91,7 @@ class ExactImpact {
       }
       x = advanced(before, high);
       time = begin + high;
-      if (x[0] <= opened) break;
+      if (x[1] < 0 && x[0] <= opened) break;  // a spring with an elastic limit may slide from the first touch on
       settle(x);
       note_peak(before, x, high);
       change_regime(x);
@@ -114,9 +119,15 @@ class ExactImpact {
     scaled_.tangential_damping = unscaled_.tangential_damping * std::sqrt(root) * speed * unit;
   }
 
+  /// The two springs that stick or slide: that of sliding, and that of rolling.
+  enum Spring : std::size_t { of_slip, of_rolling };
+  static constexpr Spring springs[] = {of_slip, of_rolling};
+  static constexpr std::size_t history_at[] = {2, 5};  ///< place in the State
+
   struct Forces {
-    Scalar repulsion, stiffness, damping, cap;  ///< R, k_t, eta_t, mu |R| or mu times the elastic part of R
-    Scalar cap_rate, stiffness_rate;
+    Scalar repulsion, stiffness, damping;  ///< R, k_t, eta_t
+    Scalar cap[2];                         ///< mu |R| or mu times the elastic part of R; mu_r times the elastic part
+    Scalar cap_rate[2], stiffness_rate;
   };
 
   Forces forces(const State& s) const {
@@ -133,65 +144,80 @@ class ExactImpact {
       repulsion_rate += eta * v * v / (4 * x);
       f.stiffness_rate = f.stiffness * v / (2 * x);
     }
-    if (limit_ == FrictionLimit::elastic) {
-      f.cap = mu_ * scaled_.normal_stiffness * x * root, f.cap_rate = mu_ * elastic_rate;
-    } else {
-      f.cap = mu_ * std::abs(f.repulsion), f.cap_rate = mu_ * (f.repulsion < 0 ? -repulsion_rate : repulsion_rate);
+    for (const Spring k : springs)
+      f.cap[k] = mu_[k] * scaled_.normal_stiffness * x * root, f.cap_rate[k] = mu_[k] * elastic_rate;
+    if (limit_ == FrictionLimit::total) {
+      f.cap[of_slip] = mu_[of_slip] * std::abs(f.repulsion);
+      f.cap_rate[of_slip] = mu_[of_slip] * (f.repulsion < 0 ? -repulsion_rate : repulsion_rate);
     }
     return f;
   }
   bool keeps_displacement() const { return law_ == TangentialLaw::displacement; }
   Scalar to_force(const Forces& f) const { return keeps_displacement() ? f.stiffness : 1; }
-  Scalar bound(const Forces& f) const { return f.cap / std::max(to_force(f), Scalar(1e-300L)); }
-  Scalar bound_rate(const Forces& f) const {
+  Scalar bound(const Forces& f, Spring k) const { return f.cap[k] / std::max(to_force(f), Scalar(1e-300L)); }
+  Scalar bound_rate(const Forces& f, Spring k) const {
     const Scalar c = to_force(f);
-    return keeps_displacement() ? f.cap_rate / c - f.cap * f.stiffness_rate / (c * c) : f.cap_rate;
+    return keeps_displacement() ? f.cap_rate[k] / c - f.cap[k] * f.stiffness_rate / (c * c) : f.cap_rate[k];
   }
-  Scalar growth(const Forces& f, const State& s, Scalar h) const {
-    const Scalar u = s[3] + s[4];
+  /// Slip, or what rolls.
+  static Scalar rate(const State& s, Spring k) { return k == of_slip ? s[3] + s[4] : s[4]; }
+  Scalar growth(const Forces& f, const State& s, Spring k, Scalar h) const {
+    const Scalar u = rate(s, k);
     if (keeps_displacement()) return u;
     const bool shrinks = law_ == TangentialLaw::rescale && f.stiffness_rate < 0;
     return f.stiffness * u + (shrinks ? h * f.stiffness_rate / f.stiffness : 0);
   }
-  Scalar history(const Forces& f, const State& s) const { return sliding_ == 0 ? s[2] : sliding_ * bound(f); }
+  Scalar history(const Forces& f, const State& s, Spring k) const {
+    return sliding_[k] == 0 ? s[history_at[k]] : sliding_[k] * bound(f, k);
+  }
+  /// The force of a spring with its damper before it is capped, with the other sign.
+  Scalar trial(const Forces& f, const State& s, Spring k) const {
+    return to_force(f) * history(f, s, k) + f.damping * rate(s, k);
+  }
 
   void derivative(const State& s, State& d) const {
     const Forces f = forces(s);
-    const Scalar h = history(f, s);
-    const Scalar trial = to_force(f) * h + f.damping * (s[3] + s[4]);
-    const Scalar pull = -std::clamp(trial, -f.cap, f.cap);
-    d = {s[1], -f.repulsion * mass_ / effective_, sliding_ == 0 ? growth(f, s, h) : 0, pull, pull * 5 / 2};
+    Scalar pull[2];
+    d[1] = -f.repulsion * mass_ / effective_;
+    for (const Spring k : springs) {
+      pull[k] = -std::clamp(trial(f, s, k), -f.cap[k], f.cap[k]);
+      d[history_at[k]] = sliding_[k] == 0 ? growth(f, s, k, history(f, s, k)) : 0;
+    }
+    d[0] = s[1], d[3] = pull[of_slip], d[4] = (pull[of_slip] + pull[of_rolling]) * 5 / 2;
   }
 
   /// Which branch each choice of the law takes.
   struct Regime {
-    int total_cap;
+    int slip_cap, rolling_cap;
     bool repels, shrinks;
     bool operator==(const Regime&) const = default;
   };
   Regime regime(const State& s) const {
     const Forces f = forces(s);
-    const Scalar trial = to_force(f) * history(f, s) + f.damping * (s[3] + s[4]);
-    return {trial > f.cap ? 1 : trial < -f.cap ? -1 : 0, f.repulsion >= 0, s[1] < 0};
+    const auto cap = [&](Spring k) { return trial(f, s, k) > f.cap[k] ? 1 : trial(f, s, k) < -f.cap[k] ? -1 : 0; };
+    return {cap(of_slip), mu_[of_rolling] > 0 ? cap(of_rolling) : 0, f.repulsion >= 0, s[1] < 0};
   }
-  bool leaves_mode(const State& s) const {
-    if (mu_ == 0) return false;
+  bool leaves_mode(const State& s, Spring k) const {
+    if (mu_[k] == 0) return false;
     const Forces f = forces(s);
-    if (sliding_ == 0) return std::abs(s[2]) > bound(f) * (1 + Scalar(1e-17L));
-    return sliding_ * growth(f, s, sliding_ * bound(f)) < bound_rate(f);
+    if (sliding_[k] == 0) return std::abs(s[history_at[k]]) > bound(f, k) * (1 + Scalar(1e-17L));
+    return sliding_[k] * growth(f, s, k, sliding_[k] * bound(f, k)) < bound_rate(f, k);
   }
   bool changes(const State& before, const State& after) const {
     if (after[1] < 0 && after[0] <= opened) return true;
-    return !(regime(after) == (before[0] > 0 ? regime_ : regime(after))) || leaves_mode(after);
+    return !(regime(after) == (before[0] > 0 ? regime_ : regime(after))) || leaves_mode(after, of_slip) ||
+           leaves_mode(after, of_rolling);
   }
   void change_regime(const State& s) {
-    if (!leaves_mode(s)) return;
-    sliding_ = sliding_ != 0 ? 0 : (s[2] > 0 ? 1 : -1);
+    for (const Spring k : springs)
+      if (leaves_mode(s, k)) sliding_[k] = sliding_[k] != 0 ? 0 : (s[history_at[k]] > 0 ? 1 : -1);
   }
   /// While sliding, the history is not integrated but follows the cap.
   void settle(State& s) const {
-    if (mu_ == 0) s[2] = 0;
-    if (sliding_ != 0) s[2] = sliding_ * bound(forces(s));
+    for (const Spring k : springs) {
+      if (mu_[k] == 0) s[history_at[k]] = 0;
+      if (sliding_[k] != 0) s[history_at[k]] = sliding_[k] * bound(forces(s), k);
+    }
   }
 
   State advanced(const State& from, Scalar step) const {
@@ -217,9 +243,9 @@ class ExactImpact {
   TangentialLaw law_;
   FrictionLimit limit_;
   bool hertz_;
-  Scalar mu_, mass_, effective_, tolerance_;
+  Scalar mu_[2], mass_, effective_, tolerance_;
   Scalar speed_ = 1, length_ = 1, peak_ = 0;
-  int sliding_ = 0;  ///< 0: sticks; else the sign of the history
+  std::array<int, 2> sliding_{};  ///< 0: sticks; else the sign of the history
   Regime regime_{};
 };
 

@@ -10,10 +10,11 @@ import re
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
+sys.path[:0] = [str(Path(__file__).parent.parent / part) for part in ("report", "peers")]
 import measure
 import page
 import report
+from case_values import read_header
 
 LONG_BUDGET = 1.5e8  # particle-steps of one long run at the case's own step
 SEEDS = [1, 2, 3, 4, 5]
@@ -34,7 +35,9 @@ class Facts:
         self.has_gas = " has_gas = true;" in text
         self.gas_interval = int(re.search(r" gas_update_interval = (\d+);", text).group(1))
         self.tangential = re.search(r"TangentialLaw::(\w+);", text).group(1)
-        self.restitution = value("restitution")
+        case = read_header(header)
+        self.restitution, self.wall_restitution = case["restitution"], case["wall_restitution"]
+        self.rolling_friction = case["wall_rolling_friction"]  # at walls; a head-on pair does not turn
         self.instruction_set = ""
 
 

@@ -17,6 +17,14 @@ slides chatters between sliding and sticking, each time replacing its history. B
 finer one, and its error against the exact solution of the law with `clip`. A small change between two steps is no sign of accuracy where the error stays."""
 
 
+def material(f):
+    """What decides an impact, where walls differ from particles and where they resist rolling."""
+    words = f"restitution {number(f.restitution)}"
+    if f.wall_restitution != f.restitution:
+        words += f", at walls {number(f.wall_restitution)}"
+    return words + (f"; rolling friction {number(f.rolling_friction)} at walls" if f.rolling_friction else "")
+
+
 def text(r):
     f = r.facts
     step = number(f.time_step)
@@ -59,7 +67,7 @@ is computed by a program without one that is tested to agree to rounding with th
 
 Exact answers: the same law solved by an adaptive Runge-Kutta method of order 8 in long double with the moments of all changes (end of contact,
 stick, slip) located, tolerance 1e-13 (tightened to 1e-15, no velocity changes by more than {number(max(r.doubt.values()))} of the impact speed). Impacts at 0.7 to 1.4 m/s,
-24 speeds and phases of the first touch for each kind; restitution {number(f.restitution)}. Root mean square errors; velocity and spin (times radius) over the impact speed, contact time and
+24 speeds and phases of the first touch for each kind; {material(f)}. Root mean square errors; velocity and spin (times radius) over the impact speed, contact time and
 overlap relative. Contact time and overlap are read off the steps as a user would: straight lines before and after, a parabola at the top.
 
 Error of the velocity, head on / oblique:

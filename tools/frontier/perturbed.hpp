@@ -48,7 +48,7 @@ auto start_from(Solver& solver, const program::StoredState& state) {
                       {p.angular_velocity[0], p.angular_velocity[1], p.angular_velocity[2]}});
   }
   const auto restore = [&] {
-    for (const auto& h : state.histories) solver.restore_history(h.owner, h.partner, h.history);
+    for (const auto& h : state.histories) solver.restore_history(h.owner, h.partner, h.history, h.rolling);
   };
   if constexpr (requires { solver.start().ok(); }) {
     const auto status = solver.start();

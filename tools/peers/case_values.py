@@ -21,6 +21,8 @@ REQUIRED = {
     "has_wall": True,
     "has_gas": False,
     "friction_limit": "total",
+    "rolling_friction": 0,
+    "wall_rolling_friction": 0,
 }
 
 
@@ -49,12 +51,17 @@ def read_header(header):
     """The members of the struct in a header of casegen: name -> value; what it leaves out has its default."""
     text = Path(header).read_text()
     case = {name: value_of(value) for name, _, value in MEMBER.findall(text)}
-    needed = [*REQUIRED, "friction", "restitution", "particle_count", "diameter", "pipe_diameter", "gravity", "time_step"]
-    missing = [key for key in needed if key not in case and key != "friction_limit"]
+    needed = {*REQUIRED, "friction", "restitution", "particle_count", "diameter", "pipe_diameter", "gravity", "time_step"}
+    missing = sorted(needed - {"friction_limit", "rolling_friction", "wall_rolling_friction"} - set(case))
     if missing:
         raise SystemExit(f"{header}: no {', '.join(missing)} in it: not a header of casegen, or one of another version")
-    own = {"wall_friction": case["friction"], "wall_restitution": case["restitution"], "friction_limit": "total"}
-    return own | case
+    return with_defaults(case)
+
+
+def with_defaults(case):
+    """With what a header says only where it differs: walls, the limit of friction and rolling resistance."""
+    case = {"wall_friction": case["friction"], "wall_restitution": case["restitution"], "friction_limit": "total", "rolling_friction": 0.0} | case
+    return {"wall_rolling_friction": case["rolling_friction"] if case["wall_friction"] > 0 else 0.0} | case
 
 
 def read_case(header):

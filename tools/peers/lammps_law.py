@@ -12,6 +12,11 @@ Tangential forms: `mindlin` keeps a displacement, `mindlin/force` a force, `mind
 with the stiffness while unloading: the three of the kernel. Beyond Coulomb's bound LAMMPS caps the whole tangential force
 along the trial force, as `slider = "clip"` and "exact" do, but without capping the spring before. It lets the force act at
 the middle of the overlap instead of the radius.
+
+`rolling sds k gamma mu` is a spring, a dashpot and a cap on the rolling displacement, whose rate is R (omega_i - omega_j) x n,
+with the torque R n x q: the kernel's, with a constant k. R is the effective radius again, so inside a cylinder all three
+coefficients are scaled to give the torque of a flat wall. LAMMPS caps by the whole normal force where the kernel takes its
+elastic part, and does not cap the spring by itself, as with friction.
 """
 
 from case_values import damping_ratio
@@ -30,6 +35,12 @@ def refusal(case):
         return words('ends = "open"', "its box has walls or is periodic", 'choose [pipe] ends = "periodic" or "closed"')
     if case["friction_limit"] != "total":
         return words('friction_limit = "elastic"', "it caps friction by the whole normal force", 'choose [contact] friction_limit = "total"')
+    for key in ("rolling_friction", "wall_rolling_friction"):
+        if case[key] > 0 and case["normal"] != "linear":
+            return words(
+                f"{key} = {case[key]:g} with normal = \"{case['normal']}\"", "its rolling spring has a constant stiffness",
+                'choose [contact] normal = "linear", or leave rolling resistance out',
+            )  # fmt: skip
     if case["friction"] == 0 and case["wall_friction"] == 0:
         pass  # neither slider nor tangential spring
     elif case["slider"] == "paper":
@@ -81,12 +92,18 @@ def hertz_contact(case, normal, tangential, root, alpha, friction):
     return f"hertz {normal / root!r} {damping} tangential {spring} damping {'tsuji' if alpha else 'velocity'}"
 
 
-def linear_contact(case, law, damped_mass, friction, restitution):
+def rolling(stiffness, damping, friction, lever):
+    """`lever`: the kernel's R* over the effective radius of LAMMPS."""
+    return f" rolling sds {stiffness * lever**2!r} {damping * lever**2!r} {friction * lever!r}" if friction else ""
+
+
+def linear_contact(case, law, damped_mass, friction, restitution, rolling_friction, lever=1.0):
     if case["damping"] == "critical":  # eq. (23), in both directions
         damping, share = 2 * (law.mass * law.normal_pair) ** 0.5, (law.tangential_pair / law.normal_pair) ** 0.5
     else:
         damping, share = 2 * damping_ratio(restitution) * (damped_mass * law.normal_pair) ** 0.5, 1.0
     spring = f"linear_history {law.tangential_pair!r} {share!r} {friction!r}" if friction else "linear_nohistory 0.0 0.0"
+    spring += rolling(law.tangential_pair, damping * share, rolling_friction, lever)
     return f"hooke {law.normal_pair!r} {damping!r} tangential {spring} damping velocity"
 
 
@@ -97,8 +114,11 @@ def law_commands(case, law):
     pipe_root = (law.radius * 2 * cylinder / (2 * cylinder - law.radius)) ** 0.5
     if case["normal"] == "linear":
         pair_mass = law.mass / (2 if case["damping_mass"] == "reduced" else 1)
-        pair = linear_contact(case, law, pair_mass, law.friction, case["restitution"])
-        pipe = end = linear_contact(case, law, law.mass, law.wall_friction, case["wall_restitution"])
+        pair = linear_contact(case, law, pair_mass, law.friction, case["restitution"], case["rolling_friction"])
+        pipe, end = (
+            linear_contact(case, law, law.mass, law.wall_friction, case["wall_restitution"], case["wall_rolling_friction"], lever)
+            for lever in ((end_root / pipe_root) ** 2, 1.0)
+        )
     else:
         pair_alpha, wall_alpha = alphas(case)
         pair = hertz_contact(case, law.normal_pair, law.tangential_pair, pair_root, pair_alpha, law.friction)

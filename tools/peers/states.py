@@ -27,14 +27,14 @@ class Observed:
 
 
 def read_final(path):
-    """A final.fixdem; the layout is that of tools/run/state_file.hpp, version 1."""
+    """A final.fixdem; the layout is that of tools/run/state_file.hpp, versions 1 and 2."""
     data = Path(path).read_bytes()
     if data[:8] != b"FIXDEM\x1a\n":
         raise SystemExit(f"{path}: no state file of fixdem (wrong first bytes)")
     order = "<" if data[8:12] == b"\x04\x03\x02\x01" else ">"
     version, name_size = struct.unpack_from(order + "II", data, 12)
-    if version != 1:
-        raise SystemExit(f"{path}: state file of version {version}; this reads version 1")
+    if version not in (1, 2):  # what comes later in the file is not read
+        raise SystemExit(f"{path}: state file of version {version}; this reads versions 1 and 2")
     at = 20 + name_size + 8 + 4 + 4
     (count,) = struct.unpack_from(order + "Q", data, at)
     at += 8 + 3 * 8 + 8

@@ -19,14 +19,18 @@ void BinaryWriter::begin(std::string_view magic, std::uint32_t version) {
 
 void BinaryWriter::seal() { put(std::uint64_t{XXH64(text_.data(), text_.size(), 0)}); }
 
-void BinaryReader::begin(std::string_view magic, const char* what, std::uint32_t version) {
+std::uint32_t BinaryReader::begin(std::string_view magic, const char* what, std::uint32_t oldest,
+                                  std::uint32_t newest) {
   if (rest_.substr(0, magic.size()) != magic) refuse("is no {} of fixdem (wrong first bytes)", what);
   take(magic.size());
   const auto mark = get<std::uint32_t>();
   if (mark == swapped_mark) refuse("was written on a machine of the other byte order");
   if (mark != byte_order_mark) refuse("is damaged: byte order mark {:08x} instead of {:08x}", mark, byte_order_mark);
   const auto found = get<std::uint32_t>();
-  if (found != version) refuse("has version {}, this program reads version {}", found, version);
+  if (found < oldest || found > newest)
+    refuse("has version {}, this program reads version{}", found,
+           oldest == newest ? fmt::format(" {}", newest) : fmt::format("s {} to {}", oldest, newest));
+  return found;
 }
 
 void BinaryReader::check_seal(std::string_view file) {

@@ -65,7 +65,7 @@ class ArchiveOf {
   void one(Particle& p) { (*this)(p.position, p.velocity, p.angular_velocity); }
   void one(Energy& e) {
     (*this)(e.kinetic, e.elastic, e.dissipated_damping, e.dissipated_sliding, e.gravity_work, e.gas_work,
-            e.elastic_tangential, e.made_by_law);
+            e.elastic_tangential, e.made_by_law, e.dissipated_rolling);
   }
 };
 
@@ -97,8 +97,9 @@ class BinaryReader : public ArchiveOf<BinaryReader> {
   BinaryReader(std::string_view bytes, const std::string& name, const std::string& advice)
       : rest_(bytes), name_(name), advice_(advice) {}
 
-  /// Checks what every file begins with, refusing what is not `what` ("state file") or of another version.
-  void begin(std::string_view magic, const char* what, std::uint32_t version);
+  /// Checks what every file begins with, refusing what is not `what` ("state file") or of another version than those
+  /// from `oldest` to `newest`; returns the version.
+  std::uint32_t begin(std::string_view magic, const char* what, std::uint32_t oldest, std::uint32_t newest);
   /// Checks the checksum at the end of the whole file, and takes it off.
   void check_seal(std::string_view file);
 

@@ -14,8 +14,8 @@ class CaseAdapter final : public SimulationView {
 
   void place(int id, const Particle& particle) override { simulation_.place(id, particle); }
   Status start() override { return simulation_.start(); }
-  void restore_history(int owner, int partner, const double (&history)[3]) override {
-    simulation_.restore_history(owner, partner, history);
+  void restore_history(int owner, int partner, const double (&history)[3], const double (&rolling)[3]) override {
+    simulation_.restore_history(owner, partner, history, rolling);
   }
   Status run(long long steps) override { return simulation_.run(steps); }
 

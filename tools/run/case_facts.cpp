@@ -25,11 +25,13 @@ std::vector<std::string> features(const CaseFacts& facts) {
     list.push_back(facts.slider == Slider::clip ? "clip" : facts.slider == Slider::exact ? "exact" : "paper");
     if (facts.friction_limit == FrictionLimit::elastic) list.push_back("elastic_friction_limit");
     list.push_back("rotation");
+    if (facts.has_rolling) list.push_back("rolling_resistance");
   }
   if (facts.damping == Damping::critical) list.push_back("critical_damping");
   if (facts.damping_mass == DampingMass::particle) list.push_back("particle_damping_mass");
   if (facts.pair_contact.friction != facts.wall_contact.friction ||
-      facts.pair_contact.restitution != facts.wall_contact.restitution)
+      facts.pair_contact.restitution != facts.wall_contact.restitution ||
+      facts.pair_contact.rolling_friction != facts.wall_contact.rolling_friction)
     list.push_back("own_walls");
   if (facts.has_wall) list.push_back("pipe_wall");
   list.push_back(facts.is_periodic ? "periodic" : "closed_ends");

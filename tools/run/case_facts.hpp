@@ -14,6 +14,7 @@ namespace fixdem::program {
 /// Hertz, N/m and kg/s with the linear law; and what they follow from.
 struct ContactCoefficients {
   double stiffness, tangential_stiffness, damping, tangential_damping, friction, restitution;
+  double rolling_friction = 0;
 };
 
 struct CaseFacts {
@@ -26,7 +27,7 @@ struct CaseFacts {
   int particle_count;
   double diameter, density, mass;
   double pipe_diameter, pipe_length;
-  bool is_periodic, has_wall, has_gas, has_rotation;
+  bool is_periodic, has_wall, has_gas, has_rotation, has_rolling;
   double gas_velocity;
   int slice_count;
   double gravity[3];
@@ -105,7 +106,7 @@ constexpr CaseFacts case_facts() {
   if constexpr (requires { Case::keys; }) f.keys = Case::keys;
   f.particle_count = Case::particle_count;
   f.diameter = Case::diameter, f.density = Case::density, f.mass = D::mass;
-  f.has_rotation = D::has_rotation, f.friction_limit = D::friction_limit;
+  f.has_rotation = D::has_rotation, f.has_rolling = D::has_rolling, f.friction_limit = D::friction_limit;
   f.pipe_diameter = Case::pipe_diameter, f.pipe_length = Case::pipe_length;
   f.is_periodic = D::is_periodic, f.has_wall = Case::has_wall, f.has_gas = Case::has_gas;
   f.gas_velocity = Case::gas_velocity, f.slice_count = Case::slice_count;
@@ -122,11 +123,12 @@ constexpr CaseFacts case_facts() {
   f.bed_height = Case::gas_bed_height, f.integrator = Case::integrator;
   f.precision = Case::precision;
   f.stiffness_pair = D::stiffness_pair, f.stiffness_wall = D::stiffness_wall;
-  f.pair_contact = {D::stiffness_pair, D::tangential_stiffness_pair,
-                    D::damping_pair,   D::tangential_damping_pair,
-                    Case::friction,    Case::restitution};
-  f.wall_contact = {D::stiffness_wall, D::tangential_stiffness_wall, D::damping_wall, D::tangential_damping_wall,
-                    D::wall_friction,  D::wall_restitution};
+  f.pair_contact = {
+      D::stiffness_pair, D::tangential_stiffness_pair, D::damping_pair, D::tangential_damping_pair, Case::friction,
+      Case::restitution, D::rolling_friction};
+  f.wall_contact = {
+      D::stiffness_wall, D::tangential_stiffness_wall, D::damping_wall,         D::tangential_damping_wall,
+      D::wall_friction,  D::wall_restitution,          D::wall_rolling_friction};
   f.start = Case::start, f.seed = Case::seed, f.start_velocity = Case::start_velocity;
   f.start_keeps_motion = Case::start_keeps_motion, f.start_from = Case::start_from, f.placed = Case::placed;
   f.instruction_set = compiled_instruction_set();

@@ -84,7 +84,7 @@ std::string encode_checkpoint(Checkpoint& checkpoint) {
 
 Checkpoint decode_checkpoint(std::string_view bytes, const std::string& name) {
   BinaryReader reader(bytes, name, advice);
-  reader.begin(magic, "checkpoint", version);
+  reader.begin(magic, "checkpoint", version, version);
   reader.check_seal(bytes);
   Checkpoint checkpoint;
   transfer(reader, checkpoint);

@@ -13,7 +13,9 @@
 
 namespace fixdem::program {
 
-inline double dissipated(const Energy& energy) { return energy.dissipated_damping + energy.dissipated_sliding; }
+inline double dissipated(const Energy& energy) {
+  return energy.dissipated_damping + energy.dissipated_sliding + energy.dissipated_rolling;
+}
 
 inline double balance_error(const Energy& start, const Energy& now) {
   const double missing = now.kinetic + now.elastic + dissipated(now) - now.made_by_law - now.gravity_work -

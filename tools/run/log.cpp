@@ -40,6 +40,7 @@ void for_each_column(const CaseFacts& facts, const LogRow& row, Visitor&& column
     column("elastic energy of tangential springs [J]", row.energy.elastic_tangential);
     column("dissipated by damping [J]", row.energy.dissipated_damping);
     column("dissipated by sliding [J]", row.energy.dissipated_sliding);
+    if (facts.has_rolling) column("dissipated by rolling [J]", row.energy.dissipated_rolling);
     column("made by the tangential law [J]", row.energy.made_by_law);
     column("gravity work [J]", row.energy.gravity_work);
     if (facts.has_gas) column("gas work [J]", row.energy.gas_work);

@@ -25,7 +25,7 @@ class SimulationView {
 
   virtual void place(int id, const Particle& particle) = 0;
   virtual Status start() = 0;
-  virtual void restore_history(int owner, int partner, const double (&history)[3]) = 0;
+  virtual void restore_history(int owner, int partner, const double (&history)[3], const double (&rolling)[3]) = 0;
   virtual Status run(long long steps) = 0;
 
   virtual long long step() const = 0;

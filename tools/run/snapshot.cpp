@@ -12,7 +12,8 @@
 namespace fixdem::program {
 namespace {
 
-/// The same contact as seen from its partner: force and slip turn round, and with them normal and history.
+/// The same contact as seen from its partner: force and slip turn round, and with them normal and history. Rolling does
+/// not: the difference of the angular velocities turns round, and so does the normal it is multiplied with.
 void swap_owner(Contact& contact) {
   std::swap(contact.owner, contact.partner);
   for (int k = 0; k < 3; ++k) {
@@ -63,6 +64,11 @@ std::string state_hash(const Snapshot& snapshot) {
     hash.add(ids, sizeof ids);
     hash.add(contact.history, sizeof contact.history);
   }
+  const bool has_rolled = std::ranges::any_of(snapshot.contacts, [](const Contact& contact) {
+    return std::ranges::any_of(contact.rolling_history, [](double component) { return component != 0; });
+  });
+  if (has_rolled)
+    for (const Contact& contact : snapshot.contacts) hash.add(contact.rolling_history, sizeof contact.rolling_history);
   return fmt::format("{:016x}", hash.value());
 }
 

@@ -28,7 +28,8 @@ Snapshot take_snapshot(const SimulationView&, int particle_count, int gas_slices
 std::vector<int> contacts_per_particle(const Snapshot&);
 
 /// XXH64, as 16 hexadecimal digits, over positions, velocities and angular velocities in order of number, then owner,
-/// partner and history of every contact: equal states have equal hashes, on every machine of the same byte order.
+/// partner and history of every contact, and last the histories of rolling if any is not zero: equal states have equal
+/// hashes, on every machine of the same byte order.
 std::string state_hash(const Snapshot&);
 
 }  // namespace fixdem::program

@@ -15,17 +15,18 @@ namespace {
 /// 6 x 6 block of one particle, in coordinates scaled by the root of mass and of moment of inertia.
 using Block = std::array<std::array<double, 6>, 6>;
 
-/// Adds normal * n n^T + tangential * (slip form of a contact with normal n), over the mass. The slip of a particle
-/// that moves by x and turns by r theta is (1 - n n^T) x + r theta x n; with I = 2/5 m r^2 its turning counts
-/// sqrt(5/2)-fold.
-void add_contact(Block& block, const double* n, double normal, double tangential) {
+/// Adds normal * n n^T + tangential * (slip form of a contact with normal n) + rolling * (rolling form), over the mass.
+/// The slip of a particle that moves by x and turns by r theta is (1 - n n^T) x + r theta x n; with I = 2/5 m r^2 its
+/// turning counts sqrt(5/2)-fold. Rolling is lever * r theta x n, of the same turning as the slip: on a wall the two
+/// springs are coupled, and the greatest eigenvalue rises from 3.5 to 5.55 times k_t / m.
+void add_contact(Block& block, const double* n, double normal, double tangential, double rolling, double lever) {
   static const double turning = std::sqrt(2.5);
   const double cross[3][3] = {{0, n[2], -n[1]}, {-n[2], 0, n[0]}, {n[1], -n[0], 0}};  // theta x n
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t b = 0; b < 3; ++b) {
       const double along = n[a] * n[b], across = (a == b ? 1 : 0) - along;
       block[a][b] += normal * along + tangential * across;
-      block[3 + a][3 + b] += 2.5 * tangential * across;
+      block[3 + a][3 + b] += 2.5 * (tangential + lever * lever * rolling) * across;
       block[a][3 + b] += turning * tangential * cross[a][b];
       block[3 + b][a] += turning * tangential * cross[a][b];
     }
@@ -93,10 +94,13 @@ double two_digits_below(double x) {
 
 TangentSpring tangent_spring(NormalLaw law, const ContactCoefficients& c, double overlap) {
   const double sticks = c.friction > 0 ? 1 : 0;  // without friction there is no tangential law
-  const double k_t = sticks * c.tangential_stiffness, eta_t = sticks * c.tangential_damping;
-  if (law == NormalLaw::linear) return {c.stiffness, k_t, c.damping, eta_t};
-  const double root = std::sqrt(overlap), fourth_root = std::sqrt(root);
-  return {1.5 * c.stiffness * root, k_t * root, c.damping * fourth_root, eta_t * fourth_root};
+  const bool is_linear = law == NormalLaw::linear;
+  const double root = is_linear ? 1 : std::sqrt(overlap), fourth_root = std::sqrt(root);
+  TangentSpring spring{(is_linear ? 1 : 1.5) * c.stiffness * root, sticks * c.tangential_stiffness * root,
+                       c.damping * fourth_root, sticks * c.tangential_damping * fourth_root};
+  if (c.rolling_friction > 0)
+    spring.rolling_stiffness = spring.tangential_stiffness, spring.rolling_damping = spring.tangential_damping;
+  return spring;
 }
 
 StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, const std::vector<Contact>& contacts) {
@@ -120,9 +124,11 @@ StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, c
     const auto add = [&](int particle, double share) {
       Blocks& b = blocks[static_cast<std::size_t>(particle)];
       share /= facts.mass;
-      add_contact(b.stiffness, contact.normal, share * spring.stiffness, share * spring.tangential_stiffness);
+      const double lever = rolling_lever(contact.partner < 0), across = share * criterion.tangential_damping;
+      add_contact(b.stiffness, contact.normal, share * spring.stiffness, share * spring.tangential_stiffness,
+                  share * spring.rolling_stiffness, lever);
       add_contact(b.damping, contact.normal, share * criterion.normal_damping * spring.damping,
-                  share * criterion.tangential_damping * spring.tangential_damping);
+                  across * spring.tangential_damping, across * spring.rolling_damping, lever);
     };
     if (contact.partner < 0) {
       add(contact.owner, 1);

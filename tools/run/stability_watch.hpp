@@ -1,8 +1,9 @@
 // How near a run is to instability: a cheap bound on the time step from the contacts of the moment, never above the
 // true limit, and the maximum overlap. Looked at for every row of the log.
 //
-// Each contact is a normal and a tangential spring with a damper each, taken at its present overlap (d force / d
-// overlap; sliding contacts count as sticking, which is stiffer). For vectors a, b and any q > 0, |a + b|^2 is at most
+// Each contact is a normal and a tangential spring with a damper each, and one of each for rolling where that is
+// resisted, taken at its present overlap (d force / d overlap; contacts that slide or roll count as sticking, which is
+// stiffer). For vectors a, b and any q > 0, |a + b|^2 is at most
 // (1 + q) |a|^2 + (1 + 1/q) |b|^2, so a pair is at most as stiff as its two particles each held by a wall in its place,
 // 1 + q and 1 + 1/q times as stiff: 6 x 6 blocks of single particles bound the whole matrix. With A(h) = h^2 K + h C of
 // a block (C with the integrator's factors, step_criteria.hpp), row sums of absolute values bound its maximum
@@ -24,11 +25,16 @@
 
 namespace fixdem::program {
 
-/// Stiffness (N/m) and damping (kg/s) of one contact at its present overlap.
+/// Stiffness (N/m) and damping (kg/s) of one contact at its present overlap. Those of rolling belong to the rolling
+/// displacement, whose rate is R* (omega_i - omega_j) x n.
 struct TangentSpring {
   double stiffness, tangential_stiffness, damping, tangential_damping;
+  double rolling_stiffness = 0, rolling_damping = 0;
 };
 TangentSpring tangent_spring(NormalLaw, const ContactCoefficients&, double overlap);
+
+/// R* / r, the lever of the rolling displacement: all spheres are of one size.
+constexpr double rolling_lever(bool is_wall) { return is_wall ? 1 : 0.5; }
 
 struct StableStep {
   double seconds;  ///< infinite without contacts

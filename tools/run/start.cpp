@@ -118,10 +118,12 @@ void start_simulation(SimulationView& view, const CaseFacts& facts, const Option
   for (int id = 0; id < facts.particle_count; ++id) view.place(id, state.particles[static_cast<std::size_t>(id)]);
   check_started(facts, view.start());
   for (const StoredHistory& h : state.histories) {
-    // Walls that this case does not have took their history with them.
+    // Walls that this case does not have took their history with them, and so did rolling resistance.
     if (h.partner == -1 && !facts.has_wall) continue;
     if (h.partner < -1 && facts.is_periodic) continue;
-    view.restore_history(h.owner, h.partner, h.history);
+    const ContactCoefficients& kind = h.partner >= 0 ? facts.pair_contact : facts.wall_contact;
+    constexpr double none[3] = {0, 0, 0};
+    view.restore_history(h.owner, h.partner, h.history, kind.rolling_friction > 0 ? h.rolling : none);
   }
 }
 

@@ -10,7 +10,7 @@ namespace fixdem::program {
 namespace {
 
 constexpr std::string_view magic("FIXDEM\x1a\n", 8);
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 1, version_with_rolling = 2;
 const std::string advice = "make it again by running its case, or take another --start-state";
 
 bool all_finite(const double (&v)[3]) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
@@ -29,14 +29,18 @@ StoredState stored_state(const CaseFacts& facts, const Snapshot& snapshot, bool 
   state.step = static_cast<std::uint64_t>(snapshot.step);
   state.particles = snapshot.particles;
   state.images.assign(snapshot.images.begin(), snapshot.images.end());
+  state.has_rolling = facts.has_rolling;
   for (const Contact& c : snapshot.contacts)
-    state.histories.push_back({c.owner, c.partner, {c.history[0], c.history[1], c.history[2]}});
+    state.histories.push_back({c.owner,
+                               c.partner,
+                               {c.history[0], c.history[1], c.history[2]},
+                               {c.rolling_history[0], c.rolling_history[1], c.rolling_history[2]}});
   return state;
 }
 
 std::string encode_state(const StoredState& state) {
   BinaryWriter writer;
-  writer.begin(magic, version);
+  writer.begin(magic, state.has_rolling ? version_with_rolling : version);
   writer.put(static_cast<std::uint32_t>(state.case_name.size()));
   writer.bytes(state.case_name.data(), state.case_name.size());
   writer.put(state.source_hash);
@@ -56,6 +60,7 @@ std::string encode_state(const StoredState& state) {
     writer.put(h.owner);
     writer.put(h.partner);
     writer.put(h.history);
+    if (state.has_rolling) writer.put(h.rolling);
   }
   writer.seal();
   return writer.text();
@@ -63,10 +68,11 @@ std::string encode_state(const StoredState& state) {
 
 StoredState decode_state(std::string_view bytes, const std::string& name) {
   BinaryReader reader(bytes, name, advice);
-  reader.begin(magic, "state file", version);
+  const std::uint32_t found = reader.begin(magic, "state file", version, version_with_rolling);
   reader.check_seal(bytes);
 
   StoredState state;
+  state.has_rolling = found == version_with_rolling;
   state.case_name = std::string(reader.take(reader.get<std::uint32_t>()));
   state.source_hash = reader.get<std::uint64_t>();
   state.complete = reader.get<std::uint32_t>() != 0;
@@ -87,13 +93,15 @@ StoredState decode_state(std::string_view bytes, const std::string& name) {
     if (!all_finite(p.position) || !all_finite(p.velocity) || !all_finite(p.angular_velocity))
       reader.refuse("holds a value of particle {} that is not finite", i);
   }
-  state.histories.resize(reader.count(32));
+  state.histories.resize(reader.count(state.has_rolling ? 56 : 32));
   for (StoredHistory& h : state.histories) {
     h.owner = reader.get<std::int32_t>();
     h.partner = reader.get<std::int32_t>();
     std::memcpy(h.history, reader.take(24).data(), 24);
+    if (state.has_rolling) std::memcpy(h.rolling, reader.take(24).data(), 24);
     const auto last = static_cast<std::int64_t>(count) - 1;
-    if (h.owner < 0 || h.owner > last || h.partner < -3 || h.partner > last || !all_finite(h.history))
+    if (h.owner < 0 || h.owner > last || h.partner < -3 || h.partner > last || !all_finite(h.history) ||
+        !all_finite(h.rolling))
       reader.refuse("holds an impossible contact of particles {} and {}", h.owner, h.partner);
   }
   if (!reader.empty()) reader.refuse("is longer than its contents");

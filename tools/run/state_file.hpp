@@ -3,7 +3,7 @@
 // Layout, little or big endian as the byte-order mark says, no padding:
 //   8 bytes   "FIXDEM" 0x1a 0x0a
 //   u32       byte order mark 0x01020304
-//   u32       version (1)
+//   u32       version: 2 in a case with rolling resistance, otherwise 1
 //   u32, then that many bytes: name of the case
 //   u64       XXH64 of the case file
 //   u32       1 if the run reached its end, 0 if it was interrupted
@@ -13,8 +13,9 @@
 //   u64       steps
 //   f64 x 3n  positions, then velocities, then angular velocities, in order of number
 //   i32 x n   periodic crossings of each particle
-//   u64       number of contacts, then for each: i32 owner, i32 partner (-1 pipe wall, -2 end z = 0, -3 end z = L), f64
-//   x 3 history u64       XXH64 of all bytes before it
+//   u64       number of contacts, then for each: i32 owner, i32 partner (-1 pipe wall, -2 end z = 0, -3 end z = L),
+//             f64 x 3 history of sliding, and in version 2 f64 x 3 history of rolling
+//   u64       XXH64 of all bytes before it
 // A file that is damaged, of another version or byte order is refused with exit code 3, naming what differs; one that
 // cannot be read or written at all with 6.
 #pragma once
@@ -33,6 +34,7 @@ namespace fixdem::program {
 struct StoredHistory {
   std::int32_t owner, partner;
   double history[3];
+  double rolling[3] = {0, 0, 0};  ///< of the rolling displacement
 };
 
 struct StoredState {
@@ -40,6 +42,7 @@ struct StoredState {
   std::uint64_t source_hash = 0;
   bool complete = false;
   bool histories_are_forces = false;
+  bool has_rolling = false;
   double diameter = 0, time = 0, duration = 0;
   std::uint64_t step = 0;
   std::vector<Particle> particles;

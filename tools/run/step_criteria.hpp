@@ -9,8 +9,9 @@
 //   impulse    4 u = (h^2 K + 4 h C_n + 4 h C_t) u       G taken half a step on, slip extrapolated; on the safe side:
 //                                                        the means along the half steps soften K, and `after` C_n
 //
-// so that h is stable while the maximum eigenvalue of the matrix on the right is below 4. Without damping all are
-// 2 / (maximum angular frequency). A new integrator is one more row.
+// Dashpots of rolling take the rate of the step, with C_t: for euler and leapfrog that is what they do, and with
+// impulse 2 h would do, so that 4 h is on the safe side. So h is stable while the maximum eigenvalue of the matrix on
+// the right is below 4. Without damping all are 2 / (maximum angular frequency). A new integrator is one more row.
 #pragma once
 
 #include "kernel/case.hpp"

@@ -26,16 +26,18 @@ Json energy(const CaseFacts& facts, const Outcome& outcome) {
   const Energy& e = outcome.energy;
   // What a step has to sum up exists only with the ledger; the rest follows from the state.
   const auto entry = [&facts](double value) { return facts.energy_ledger ? number(value) : Json(nullptr); };
-  return {{"kinetic", number(outcome.observation.kinetic_translation + outcome.observation.kinetic_rotation)},
-          {"elastic", number(e.elastic)},
-          {"elastic_tangential", number(e.elastic_tangential)},
-          {"dissipated", entry(dissipated(e))},
-          {"dissipated_damping", entry(e.dissipated_damping)},
-          {"dissipated_sliding", entry(e.dissipated_sliding)},
-          {"made_by_law", entry(e.made_by_law)},
-          {"gravity_work", number(e.gravity_work)},
-          {"gas_work", facts.has_gas ? entry(e.gas_work) : Json(nullptr)},
-          {"balance_error", entry(balance_error(outcome.start_energy, e))}};
+  Json list = {{"kinetic", number(outcome.observation.kinetic_translation + outcome.observation.kinetic_rotation)},
+               {"elastic", number(e.elastic)},
+               {"elastic_tangential", number(e.elastic_tangential)},
+               {"dissipated", entry(dissipated(e))},
+               {"dissipated_damping", entry(e.dissipated_damping)},
+               {"dissipated_sliding", entry(e.dissipated_sliding)}};
+  if (facts.has_rolling) list["rolling"] = entry(e.dissipated_rolling);
+  list["made_by_law"] = entry(e.made_by_law);
+  list["gravity_work"] = number(e.gravity_work);
+  list["gas_work"] = facts.has_gas ? entry(e.gas_work) : Json(nullptr);
+  list["balance_error"] = entry(balance_error(outcome.start_energy, e));
+  return list;
 }
 
 Json plug(const PlugResult& p) {
@@ -59,11 +61,16 @@ Json collision(const Outcome& outcome) {
       {"max_overlap", number(c.max_overlap)},           {"max_normal_force", number(c.max_normal_force)}};
 }
 
-/// What walls have of their own; null where they have nothing.
+/// What walls have of their own, and rolling resistance; null where there is neither.
 Json own_material(const CaseFacts& facts) {
   const ContactCoefficients &pair = facts.pair_contact, &wall = facts.wall_contact;
-  if (wall.friction == pair.friction && wall.restitution == pair.restitution) return nullptr;
-  return {{"wall_friction", wall.friction}, {"wall_restitution", wall.restitution}};
+  Json own;
+  if (wall.friction != pair.friction || wall.restitution != pair.restitution)
+    own = {{"wall_friction", wall.friction}, {"wall_restitution", wall.restitution}};
+  if (!facts.has_rolling) return own;
+  own["rolling_friction"] = pair.rolling_friction;
+  if (facts.has_wall || !facts.is_periodic) own["wall_rolling_friction"] = wall.rolling_friction;
+  return own;
 }
 
 Json particles(const Outcome& outcome) {

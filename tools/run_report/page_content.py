@@ -77,7 +77,7 @@ def charts(log):
         ("Stationary layer", "", "", {"layer area ratio": "layer area ratio"}, "Solids fraction outside the plug over that inside."),
         ("Maximum overlap and time step", "", "log", {"max overlap / radius": "overlap over radius", "time step / stable step": "time step over the stable one"}, ""),
         ("Energy ledger", "J", "", {"gas work [J]": "work of the gas", "gravity work [J]": "work of gravity", "dissipated by damping [J]": "lost by damping",
-                                    "dissipated by sliding [J]": "lost by sliding", "made by the tangential law [J]": "made by the tangential law", "kinetic": "kinetic", "elastic energy [J]": "elastic"}, ""),
+                                    "dissipated by sliding [J]": "lost by sliding", "dissipated by rolling [J]": "lost by rolling", "made by the tangential law [J]": "made by the tangential law", "kinetic": "kinetic", "elastic energy [J]": "elastic"}, ""),
     ]  # fmt: skip
     found = []
     for title, unit, form, lines, note in every:
@@ -99,6 +99,8 @@ def ledger(summary, log):
             ("made by the tangential law (below zero: lost)", energy["made_by_law"])]  # fmt: skip
     went = [("kinetic", energy["kinetic"]), ("elastic", energy["elastic"]), ("lost by damping", energy["dissipated_damping"]),
             ("lost by sliding", energy["dissipated_sliding"])]
+    if "rolling" in energy:
+        went.append(("lost by rolling", energy["rolling"]))
     missing = sum(v or 0 for _, v in went) - sum(v or 0 for _, v in came)
     rows = [(name, "came in", number(value, 4)) for name, value in came if value is not None]
     rows += [(name, "went out or is there", number(value, 4)) for name, value in went]

@@ -50,6 +50,7 @@ struct restitution_of : Small {
 };
 struct friction_0 : Small {
   static constexpr double friction = 0, wall_friction = 0;
+  static constexpr double rolling_friction = 0, wall_rolling_friction = 0;
   static constexpr FrictionLimit friction_limit = FrictionLimit::total;
 };
 struct friction_small : Small {

@@ -63,7 +63,7 @@ Status place(const program::StoredState& state, double push) {
     simulation.place(id, p);
   }
   const Status status = simulation.start();
-  for (const auto& h : state.histories) simulation.restore_history(h.owner, h.partner, h.history);
+  for (const auto& h : state.histories) simulation.restore_history(h.owner, h.partner, h.history, h.rolling);
   return status;
 }
 

@@ -33,7 +33,10 @@ program::CaseFacts facts_at_present() {
 std::vector<Contact> contacts_of(const Reference& program) {
   std::vector<Contact> contacts;
   program.for_each_contact([&](const reference::Contact& c) {
-    contacts.push_back({c.owner, c.partner, c.overlap, {c.normal[0], c.normal[1], c.normal[2]}, 0, {}, {}});
+    Contact seen{};
+    seen.owner = c.owner, seen.partner = c.partner, seen.overlap = c.overlap;
+    for (int k = 0; k < 3; ++k) seen.normal[k] = c.normal[k];
+    contacts.push_back(seen);
   });
   return contacts;
 }
@@ -137,7 +140,7 @@ void grazing(bool is_quick, Table& table) {
         for (double degrees = 0.25; degrees < 90; degrees *= growth) {
           VariableCase::reset();
           VariableCase::has_gas = false, VariableCase::restitution = VariableCase::wall_restitution = 1,
-          VariableCase::tangential = law;
+          VariableCase::tangential = law, VariableCase::rolling_friction = VariableCase::wall_rolling_friction = 0;
           VariableCase::integrator = Integrator::leapfrog;
           VariableCase::poisson_ratio = VariableCase::wall_poisson_ratio = nu;
           const auto c = coefficients_of(is_pair);

@@ -16,8 +16,8 @@ class StartRecorder final : public program::SimulationView {
     scene.particles[static_cast<std::size_t>(id)] = particle;
   }
   Status start() override { return {}; }
-  void restore_history(int owner, int partner, const double (&h)[3]) override {
-    scene.histories.push_back({owner, partner, {h[0], h[1], h[2]}});
+  void restore_history(int owner, int partner, const double (&h)[3], const double (&rolling)[3]) override {
+    scene.histories.push_back({owner, partner, {h[0], h[1], h[2]}, {rolling[0], rolling[1], rolling[2]}});
   }
   Status run(long long) override { return {}; }
   long long step() const override { return 0; }

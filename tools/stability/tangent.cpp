@@ -83,16 +83,22 @@ Tangent tangent(const SpringNetwork& network, Springs kind) {
     const Eigen::Vector3d first = normal.unitOrthogonal(), tangents[2] = {first, normal.cross(first)};
     for (const Eigen::Vector3d& t : tangents) {
       const Eigen::Vector3d turn = turning * normal.cross(t);  // t . (theta x n) = theta . (n x t)
-      std::vector<std::pair<int, double>> slip;
+      const double lever = program::rolling_lever(s.partner < 0);
+      std::vector<std::pair<int, double>> slip, rolling;
       for (int c = 0; c < 3; ++c) {
         slip.emplace_back(from + c, t[c]);
         slip.emplace_back(from + 3 + c, turn[c]);
+        rolling.emplace_back(from + 3 + c, lever * turn[c]);
         if (s.partner < 0) continue;
         slip.emplace_back(to + c, -t[c]);
         slip.emplace_back(to + 3 + c, turn[c]);
+        rolling.emplace_back(to + 3 + c, -lever * turn[c]);
       }
       stiffness.add(s.at.tangential_stiffness / mass, slip);
       tangential_damping.add(s.at.tangential_damping / mass, slip);
+      if (s.at.rolling_stiffness == 0) continue;
+      stiffness.add(s.at.rolling_stiffness / mass, rolling);
+      tangential_damping.add(s.at.rolling_damping / mass, rolling);
     }
   }
   const int size = 6 * network.particle_count;

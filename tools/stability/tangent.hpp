@@ -1,7 +1,9 @@
 // The exact critical time step of a state: the maximum eigenvalue of its tangent stiffness and damping.
 //
 // Every contact is a normal and a tangential spring with a damper each at its present overlap; a particle moves by x
-// and turns by theta, and the slip of a contact is the tangential part of x_i - x_j + r (theta_i + theta_j) x n.
+// and turns by theta, and the slip of a contact is the tangential part of x_i - x_j + r (theta_i + theta_j) x n. Where
+// rolling is resisted, a third spring and damper act on the rolling displacement, R* (theta_i - theta_j) x n, at a wall
+// r theta x n: on the same turning as the slip.
 // Coordinates are scaled by the roots of mass and moment of inertia, so the matrices are symmetric, in 1/s2 and 1/s.
 // Sliding contacts count as sticking, and the turning of the normal under load (of the order of overlap / d) is left
 // out.

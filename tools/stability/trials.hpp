@@ -37,7 +37,7 @@ inline Reference loaded(const Scene& scene) {
   for (std::size_t id = 0; id < scene.particles.size(); ++id)
     program.place(static_cast<int>(id), copy(scene.particles[id]));
   program.start();
-  for (const auto& h : scene.histories) program.restore_history(h.owner, h.partner, h.history);
+  for (const auto& h : scene.histories) program.restore_history(h.owner, h.partner, h.history, h.rolling);
   return program;
 }
 
@@ -144,7 +144,8 @@ inline Rebound rebound(const Impact& impact, double phase) {
     if (has_touched && !(overlap > 0)) {
       const reference::Energy e = program.energy();
       const double sine = std::sin(impact.angle);
-      return {e.kinetic / before, (e.kinetic + e.dissipated_damping + e.dissipated_sliding - before) / before,
+      return {e.kinetic / before,
+              (e.kinetic + e.dissipated_damping + e.dissipated_sliding + e.dissipated_rolling - before) / before,
               sine * sine, deepest};
     }
   }

@@ -20,6 +20,8 @@ struct VariableCase : Case {
   static inline double wall_youngs_modulus = Case::wall_youngs_modulus, wall_poisson_ratio = Case::wall_poisson_ratio;
   static inline double restitution = Case::restitution, friction = Case::friction;
   static inline double wall_restitution = Derived<Case>::wall_restitution, wall_friction = Derived<Case>::wall_friction;
+  static inline double rolling_friction = Derived<Case>::rolling_friction;
+  static inline double wall_rolling_friction = Derived<Case>::wall_rolling_friction;
   static inline double time_step = Case::time_step;
   static inline double gravity[3] = {Case::gravity[0], Case::gravity[1], Case::gravity[2]};
   static inline Integrator integrator = Case::integrator;
@@ -34,6 +36,8 @@ struct VariableCase : Case {
     wall_youngs_modulus = Case::wall_youngs_modulus, wall_poisson_ratio = Case::wall_poisson_ratio;
     restitution = Case::restitution, friction = Case::friction;
     wall_restitution = Derived<Case>::wall_restitution, wall_friction = Derived<Case>::wall_friction;
+    rolling_friction = Derived<Case>::rolling_friction;
+    wall_rolling_friction = Derived<Case>::wall_rolling_friction;
     time_step = Case::time_step;
     for (int c = 0; c < 3; ++c) gravity[c] = Case::gravity[c];
     integrator = Case::integrator, tangential = Case::tangential, has_gas = Case::has_gas;
@@ -48,7 +52,8 @@ inline program::ContactCoefficients coefficients_of(bool is_pair) {
                          : reference::wall_coefficients<VariableCase, double>();
   return {c.normal_stiffness, c.tangential_stiffness,
           c.normal_damping,   c.tangential_damping,
-          c.friction,         is_pair ? VariableCase::restitution : VariableCase::wall_restitution};
+          c.friction,         is_pair ? VariableCase::restitution : VariableCase::wall_restitution,
+          c.rolling_friction};
 }
 
 }  // namespace fixdem::stability
