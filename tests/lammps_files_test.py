@@ -172,7 +172,8 @@ class Scenes(unittest.TestCase):
         for name in names:
             (verdict,) = re.findall(rf"(?m)^\| `{name}` \| (exported|refused)", table)
             self.assertEqual("refused" if refusal(case_of(name)) else "exported", verdict, name)
-            self.assertIn("scene.in", texts_of(case_of(name)))
+            if verdict == "exported":
+                self.assertIn("scene.in", texts_of(case_of(name)))
         self.assertEqual(len(re.findall(r"(?m)^\| `\w+` \| (?:exported|refused)", table)), len(names))
 
     def test_the_script_says_what_it_is_not(self):

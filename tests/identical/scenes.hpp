@@ -60,10 +60,31 @@ struct impulse : gas {
   static constexpr auto slider = Slider::exact;
 };
 
+/// Walls of their own, and rolling resistance of pairs and walls; friction of walls alone, and of spheres alone.
+struct rolling : gas {
+  static constexpr double wall_friction = 0.5, wall_restitution = 0.6;
+  static constexpr double rolling_friction = 0.1, wall_rolling_friction = 0.2;
+};
+struct rolling_impulse : rolling {
+  static constexpr auto integrator = Integrator::impulse;
+  static constexpr auto slider = Slider::exact;
+  static constexpr auto friction_limit = FrictionLimit::elastic;
+};
+struct rolling_leapfrog : leapfrog {
+  static constexpr double rolling_friction = 0.1;
+};
+struct rolling_on_walls : gas {
+  static constexpr double friction = 0, wall_friction = 0.4, wall_rolling_friction = 0.1;
+};
+struct slippery_walls : impulse {
+  static constexpr double wall_friction = 0, rolling_friction = 0.1;
+};
+
 struct mixed_gas : in_mixed_precision<gas> {};
 struct mixed_smooth : in_mixed_precision<smooth> {};
 struct mixed_leapfrog : in_mixed_precision<leapfrog> {};
 struct mixed_paper : in_mixed_precision<paper> {};
+struct mixed_rolling : in_mixed_precision<rolling> {};
 
 inline constexpr long long steps = 2000;
 
@@ -80,6 +101,12 @@ void for_each_scene(Visit visit) {
   visit.template operator()<mixed_smooth>("mixed smooth");
   visit.template operator()<mixed_leapfrog>("mixed leapfrog");
   visit.template operator()<mixed_paper>("mixed paper");
+  visit.template operator()<rolling>("rolling");
+  visit.template operator()<rolling_impulse>("rolling impulse");
+  visit.template operator()<rolling_leapfrog>("rolling leapfrog");
+  visit.template operator()<rolling_on_walls>("rolling on walls");
+  visit.template operator()<slippery_walls>("slippery walls");
+  visit.template operator()<mixed_rolling>("mixed rolling");
 }
 
 }  // namespace fixdem::tests::identical

@@ -26,7 +26,10 @@ template <class Simulation>
 unsigned long long state_hash(const Simulation& simulation) {
   StateHash hash;
   for (int id = 0; id < Simulation::count; ++id) hash.add(simulation.particle(id));
-  hash.add(simulation.energy());
+  const Energy e = simulation.energy();
+  hash.add(e.kinetic), hash.add(e.elastic), hash.add(e.dissipated_damping), hash.add(e.dissipated_sliding);
+  hash.add(e.gravity_work), hash.add(e.gas_work), hash.add(e.elastic_tangential), hash.add(e.made_by_law);
+  if constexpr (Derived<typename Simulation::case_type>::has_rolling) hash.add(e.dissipated_rolling);
   return hash.value();
 }
 
