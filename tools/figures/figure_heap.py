@@ -45,8 +45,13 @@ def measured(run, time):
     }
 
 
-def heap(runs, time, pipe, out):
-    """`runs`: name -> folder. Returns title and text."""
+def angle(seen):
+    return abs(round(degrees(atan(seen["line"][0]))))
+
+
+def heap(runs, case, out):
+    """`runs`: name -> folder; `case`: of the heap with rolling resistance. Returns title and text."""
+    time, pipe = case["run"]["duration"], case["pipe"]
     found = {name: measured(run, time) for name, run in runs.items()}
     half = pipe["diameter"] / 2
     with Data() as data:
@@ -56,7 +61,7 @@ def heap(runs, time, pipe, out):
             line = [(s * r, top - steepness * r) for s, r in ((-1, 0.8 * seen["reach"]), (1, 0), (1, 0.8 * seen["reach"]))]
             line[1] = (0, top)
             panels.append(
-                f"set title '{NAMES[name]}: slope {degrees(atan(steepness)):.0f} degrees'\n"
+                f"set title '{NAMES[name]}: slope {angle(seen)} degrees'\n"
                 f"plot '{data.file(seen['circles'])}' with circles linecolor 1 fill solid 0.3 notitle, "
                 f"'{data.file(line)}' with lines linewidth 3 linecolor 3 notitle"
             )
@@ -66,12 +71,12 @@ def heap(runs, time, pipe, out):
             out / "heap",
         )
     words = [
-        f"{NAMES[name]}: {1000 * seen['height']:.0f} mm high, nine tenths within {1000 * seen['reach']:.0f} mm of the axis, slope {degrees(atan(seen['line'][0])):.0f} degrees"
+        f"{NAMES[name]}: {1000 * seen['height']:.0f} mm high, nine tenths within {1000 * seen['reach']:.0f} mm of the axis, slope {angle(seen)} degrees"
         for name, seen in found.items()
     ]
     return (
         "A heap with and without rolling resistance",
-        f"The upright pile of fill_1000 after its tube is gone, at {time:g} s; particles that the middle plane cuts, and the line through the surface. "
+        f"The upright pile of {case['start']['from']} after its tube is gone, at {time:g} s; particles near the middle plane, and the line through the surface. "
         + "; ".join(words)
-        + ". Friction is 0.3 in both. Spheres that only slide roll on until the wall of the drum stops them.",
+        + f". Friction is {case['material']['friction']:g} in both: without rolling resistance spheres roll away, and no heap is left.",
     )
