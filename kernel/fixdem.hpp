@@ -159,25 +159,7 @@ class Simulation {
 
   /// Where the energy is and where it went. Dissipation and gas work are zero in a case without energy ledger.
   Energy energy() const {
-    const Observation o = observe();
-    Energy e{};
-    e.kinetic = o.kinetic_translation + o.kinetic_rotation;
-    detail::for_each_observed(s_, [&](const detail::Observed<Case>& seen) {
-      e.elastic += seen.elastic;
-      e.elastic_tangential += seen.elastic_tangential;
-    });
-    if constexpr (Case::energy_ledger) {
-      for (const StepMonitor<Case>& monitor : s_.monitor) {
-        const auto work = [&](LedgerEntry entry) {
-          return D::mass / Case::time_step * sum_of(monitor.ledger.entry[entry]);
-        };
-        e.dissipated_damping += D::mass * sum_of(monitor.ledger.entry[damping_power]);
-        e.dissipated_sliding += work(sliding_work);
-        e.made_by_law += work(law_work);
-        if constexpr (D::has_rolling) e.dissipated_rolling += work(rolling_work);
-        e.gas_work += D::mass * sum_of(monitor.ledger.gas_work);
-      }
-    }
+    Energy e = energy_without_gravity(s_);
     e.gravity_work = D::mass * work_of_gravity();
     return e;
   }

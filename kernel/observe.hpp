@@ -185,4 +185,30 @@ Observation observe(const State<Case>& s) {
   return seen;
 }
 
+/// All but the work of gravity, which needs the places at the start.
+template <class Case>
+Energy energy_without_gravity(const State<Case>& s) {
+  using D = Derived<Case>;
+  const Observation o = observe(s);
+  Energy e{};
+  e.kinetic = o.kinetic_translation + o.kinetic_rotation;
+  detail::for_each_observed(s, [&](const detail::Observed<Case>& seen) {
+    e.elastic += seen.elastic;
+    e.elastic_tangential += seen.elastic_tangential;
+  });
+  if constexpr (Case::energy_ledger) {
+    for (const StepMonitor<Case>& monitor : s.monitor) {
+      const auto work = [&](LedgerEntry entry) {
+        return D::mass / Case::time_step * sum_of(monitor.ledger.entry[entry]);
+      };
+      e.dissipated_damping += D::mass * sum_of(monitor.ledger.entry[damping_power]);
+      e.dissipated_sliding += work(sliding_work);
+      e.made_by_law += work(law_work);
+      if constexpr (D::has_rolling) e.dissipated_rolling += work(rolling_work);
+      e.gas_work += D::mass * sum_of(monitor.ledger.gas_work);
+    }
+  }
+  return e;
+}
+
 }  // namespace fixdem
