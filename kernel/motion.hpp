@@ -1,10 +1,11 @@
 // Sum of what contacts give each particle, and its motion; eqs. (1)-(5), (13), (14).
 //
-// A particle adds the rows of its own dense contacts, subtracts the forces of the incoming ones (torques of friction are
-// equal on both spheres and are added; of rolling the partner has its own, force_rows.hpp), adds what the sparse ones have summed already (sparse_contacts.hpp), gravity and gas,
-// and moves while the sum is in registers: semi-implicit Euler, position with the new velocity. With positions held
-// half a step ahead the same two lines are the leapfrog. Rows are scaled to velocity change per step; r dw = r^2 m / I
-// times the torque row = 2.5 times it for a solid sphere.
+// A particle adds the rows of its own dense contacts, subtracts the forces of the incoming ones (torques of friction
+// are equal on both spheres and are added; of rolling the partner has its own, force_rows.hpp), adds what the sparse
+// ones have summed already (sparse_contacts.hpp), gravity and gas, and moves while the sum is in registers:
+// semi-implicit Euler, position with the new velocity. With positions held half a step ahead the same two lines are the
+// leapfrog. Rows are scaled to velocity change per step; r dw = r^2 m / I times the torque row = 2.5 times it for a
+// solid sphere.
 #pragma once
 
 #include "contacts.hpp"
