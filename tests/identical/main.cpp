@@ -3,6 +3,9 @@
 //
 // Without arguments. Exit code: 0, or 1 when a scene stopped with a fault. `make identical` compiles this program for
 // several instruction sets, and for a board without operating system; each must print tests/golden/scenes.txt.
+#include <cstddef>
+#include <new>
+
 #include "kernel/fixdem.hpp"
 #include "scenes.hpp"
 #include "tools/embedded/console.hpp"
@@ -13,9 +16,19 @@ namespace {
 using namespace fixdem::tests::identical;
 using fixdem::console::put;
 
+constexpr std::size_t largest = [] {
+  std::size_t size = 0;
+  for_each_scene([&]<class Case>(const char*) {
+    size = sizeof(fixdem::Simulation<Case>) > size ? sizeof(fixdem::Simulation<Case>) : size;
+  });
+  return size;
+}();
+/// One scene at a time: the board has 4 MB, and all of them take 6.
+alignas(64) unsigned char memory[largest];
+
 template <class Case>
 bool run(const char* name) {
-  static fixdem::Simulation<Case> simulation;
+  auto& simulation = *new (memory) fixdem::Simulation<Case>();  // all zero, as in static storage
   put(name);
   place_agitated(simulation);
   if (!simulation.start().ok() || !simulation.run(steps).ok()) {

@@ -90,7 +90,7 @@ inline constexpr long long steps = 2000;
 
 /// Calls visit.template operator()<Case>(name) for each scene, in the order of tests/golden/scenes.txt.
 template <class Visit>
-void for_each_scene(Visit visit) {
+constexpr void for_each_scene(Visit visit) {
   visit.template operator()<gas>("gas");
   visit.template operator()<smooth>("smooth");
   visit.template operator()<leapfrog>("leapfrog");

@@ -23,7 +23,8 @@ $(build)/identical/cortex-m7: $(startup) $(board_script)
 level_of = -$(or $(patsubst clang-%,%,$(filter $(optimised),$(1))),$(if $(filter native,$(1)),O3,O1))
 variant_compiler = $(if $(filter cortex-m7,$(1)),$(board_compiler) $(board_flags) -O2,$(if $(filter aarch64,$(1)),$(cross_compiler) \
   -static,$(if $(filter clang-%,$(1)),clang++,$(CXX))) $(level_of) $(call arch_of,$(if $(filter $(optimised),$(1)),native,$(1))) \
-  $(call lanes_of,$(patsubst lanes%,%,$(filter lanes%,$(1:scalar=lanes1))))) -std=c++20 $(warnings) -I. $(math_rules)
+  $(call lanes_of,$(patsubst lanes%,%,$(filter lanes%,$(1:scalar=lanes1))))) -std=c++20 \
+  $(if $(filter clang-%,$(1)),$(filter-out $(undefined_registers),$(warnings)),$(warnings)) -I. $(math_rules)
 # What is linked to it, and what the linker says about the board's memory.
 variant_link = $(if $(filter cortex-m7,$(1)),$(board_link) $(startup) -lgcc > $(2).memory)
 
