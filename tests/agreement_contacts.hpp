@@ -73,14 +73,14 @@ struct StandingContact {
   };
 };
 
-/// The greatest difference of springs and rolling forces, in diameters: forces over k_t at an overlap of 0.001 d.
+/// The maximum difference of springs and rolling forces, in diameters: forces over k_t at an overlap of 0.001 d.
 template <class Case, class Kernel>
 double difference_of_contacts(const Kernel& fast, const reference::Reference<Case>& slow, Events& events) {
   using Vector = reference::Vector<double>;
   constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
   std::map<std::pair<int, int>, reference::Contact> kept;
   slow.for_each_contact([&](const reference::Contact& c) { kept[{c.owner, c.partner}] = c; });
-  double greatest = 0;
+  double maximum = 0;
   fast.for_each_contact([&](const auto& c) {
     const bool is_pair = c.partner >= 0, is_swapped = is_pair && c.partner < c.owner;
     const int owner = is_swapped ? c.partner : c.owner, partner = is_swapped ? c.owner : c.partner;
@@ -112,11 +112,11 @@ double difference_of_contacts(const Kernel& fast, const reference::Reference<Cas
                                   (Vector(c.rolling_force) - force).norm() / newton};
     for (const double d : differences) {
       CHECK(std::isfinite(d));
-      greatest = std::max(greatest, d);
+      maximum = std::max(maximum, d);
     }
     ++events.compared;
   });
-  return greatest;
+  return maximum;
 }
 
 }  // namespace fixdem::tests

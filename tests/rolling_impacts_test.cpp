@@ -1,6 +1,6 @@
 // Impacts of turning spheres with rolling resistance, on a wall and of pairs: the kernel, and the reference by itself.
 //
-// Where rolling slips from beginning to end (the greatest spins), the change of spin is that of a closed form, and
+// Where rolling slips from beginning to end (the highest spins), the change of spin is that of a closed form, and
 // impulses give it to 1e-8 m/s at 0.1 us. Where its spring holds, errors are of first order in the step with every
 // integrator: the dashpot takes the rolling velocity of the step's beginning.
 #include <initializer_list>

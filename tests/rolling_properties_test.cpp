@@ -177,7 +177,7 @@ struct resisting_pile : pile<scheme, step_in_us> {
   static constexpr double rolling_friction = 0.05;
 };
 
-/// 1 s after it was dropped into a standing tube: the greatest speed, m/s, that of the surface by spin across the
+/// 1 s after it was dropped into a standing tube: the maximum speed, m/s, that of the surface by spin across the
 /// vertical included. Spin about the vertical, which the floor does not resist, may go on.
 template <class Case>
 double speed_of_pile() {

@@ -18,7 +18,7 @@ using Block = std::array<std::array<double, 6>, 6>;
 /// Adds normal * n n^T + tangential * (slip form of a contact with normal n) + rolling * (rolling form), over the mass.
 /// The slip of a particle that moves by x and turns by r theta is (1 - n n^T) x + r theta x n; with I = 2/5 m r^2 its
 /// turning counts sqrt(5/2)-fold. Rolling is lever * r theta x n, of the same turning as the slip: on a wall the two
-/// springs are coupled, and the greatest eigenvalue rises from 3.5 to 5.55 times k_t / m.
+/// springs are coupled, and the largest eigenvalue rises from 3.5 to 5.55 times k_t / m.
 void add_contact(Block& block, const double* n, double normal, double tangential, double rolling, double lever) {
   static const double turning = std::sqrt(2.5);
   const double cross[3][3] = {{0, n[2], -n[1]}, {-n[2], 0, n[0]}, {n[1], -n[0], 0}};  // theta x n
