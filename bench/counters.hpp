@@ -41,11 +41,13 @@ void report(benchmark::State& state, const Simulation<Case>& simulation, double 
   counters["core_GHz"] = 1e-9 * clock;
 }
 
-/// How near a scene whose contacts stay as they are comes to the arithmetic bound.
+/// How near a scene whose contacts stay as they are comes to the arithmetic bound, which is that of equal spheres.
 template <class Case>
-void report_fraction_of_bound(benchmark::State& state, Simulation<Case>& simulation) {
-  const double bound = law_seconds_per_contact(simulation) * state.counters["contacts_per_particle"];
-  if (bound > 0) state.counters["fraction_of_bound"] = bound * state.counters["particle_steps_per_second"];
+void report_fraction_of_bound([[maybe_unused]] benchmark::State& state, [[maybe_unused]] Simulation<Case>& simulation) {
+  if constexpr (!has_sizes<Case>) {
+    const double bound = law_seconds_per_contact(simulation) * state.counters["contacts_per_particle"];
+    if (bound > 0) state.counters["fraction_of_bound"] = bound * state.counters["particle_steps_per_second"];
+  }
 }
 
 }  // namespace fixdem::bench

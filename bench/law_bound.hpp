@@ -144,7 +144,7 @@ class PackedContacts {
       const Vec3<Doubles> r = {load<Doubles>(batch.between[0] + at), load<Doubles>(batch.between[1] + at),
                                load<Doubles>(batch.between[2] + at)};
       if constexpr (std::is_same_v<Side, Wall>) {
-        return PipeSurface<Case>::separation(r);
+        return PipeSurface<Case>::separation(r, splat<Doubles>(D::reference_radius));
       } else {
         const Doubles square = dot(r, r);
         return Separation<Doubles>{r, is_mixed<Case> ? Case::diameter * Case::diameter - square : square};
@@ -157,14 +157,16 @@ class PackedContacts {
       s = part(std::integral_constant<int, W>{}, 0);
     store_vector(batch.separation, lane, s.separation);
     store(batch.gap_square + lane, s.gap_square);
-    store(batch.root + lane, side.root(s.gap_square));
+    store(batch.root + lane, side.root(s));
   }
 
   template <class Side>
   static FIXDEM_INLINE void geometry(const Side& side, Batch& batch, int lane) {
     Vec3<V> n;
     const Separation<V> s{load_vector(batch.separation, lane), load<V>(batch.gap_square + lane)};
-    const SpringBase<V> base = spring_base<typename Side::Law, Case>(side.resolve(s, load<V>(batch.root + lane), n));
+    const ContactBodies<typename Side::Law, Case, V> bodies(Motion<V>{});
+    const SpringBase<V> base =
+        spring_base<typename Side::Law, Case>(side.resolve(s, load<V>(batch.root + lane), n), bodies);
     store_vector(batch.normal, lane, n);
     store(batch.repulsion + lane, base.repulsion);
     store(batch.overlap_root + lane, base.root);
@@ -174,14 +176,16 @@ class PackedContacts {
   template <class Law, SlidingLanes mode>
   static FIXDEM_INLINE bool law_of_lanes(Batch& batch, int lane) {
     const Vec3<V> n = load_vector(batch.normal, lane), velocity = load_vector(batch.velocity, lane);
+    const ContactBodies<Law, Case, V> bodies(Motion<V>{});
     const Springs<V> k =
-        springs<Law, Case>(SpringBase<V>{load<V>(batch.repulsion + lane), load<V>(batch.overlap_root + lane)});
+        springs<Law, Case>(SpringBase<V>{load<V>(batch.repulsion + lane), load<V>(batch.overlap_root + lane)}, bodies);
     const V normal_velocity = dot(velocity, n);
     History<V> history{load_vector(batch.history, lane), k.tangential_stiffness};
     const Vec3<V> surface_velocity = add_cross(velocity, load_vector(batch.spin, lane), n);
     bool is_done;
-    const ContactForce<V> f = contact_force<Law, Case, mode>(k, n, surface_velocity, normal_velocity, normal_velocity,
-                                                             Vec3<V>{}, k.tangential_stiffness > V{}, history, is_done);
+    const ContactForce<V> f =
+        contact_force<Law, Case, mode>(bodies, k, n, surface_velocity, normal_velocity, normal_velocity, Vec3<V>{},
+                                       k.tangential_stiffness > V{}, history, is_done);
     if (!is_done) return false;
     store_vector(batch.force, lane, f.force);
     if constexpr (D::has_rotation) {

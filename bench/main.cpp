@@ -73,6 +73,7 @@ void register_steps() {
   add_steady<bed<1000000, P>>("bed", bed_start);
   add_steady<bed_with_ledger<P>>("bed_with_ledger", bed_start);
   add_steady<bed_rolling<P>>("bed_rolling", bed_start);
+  add_steady<bed_two_sizes<P>>("bed_two_sizes", [](auto& simulation) { start_two_sizes(simulation); });
   add_first<agitated<1000, P>, ContactsOfScene::change>("agitated", 25000, agitated_start);
   add_first<agitated<1000000, P>, ContactsOfScene::change>("agitated", 240, agitated_start);
   add_first<plug<P>, ContactsOfScene::stay>("plug", 2500,

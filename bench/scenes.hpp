@@ -5,8 +5,8 @@
 // in a closed drum, because 150 particles of the bed would not fill a pipe of their own. `agitated`: the random start
 // of pipe_bed, repeated in the same way, where particles fly and few touch. `plug`: plug_u24 from its final state on,
 // where the plug moves. Without energy ledger, as a scene that only wants speed would be compiled; `bed_with_ledger`
-// shows what the ledger costs, `bed_rolling` what rolling resistance does. Every scene is a template over the precision
-// of the case.
+// shows what the ledger costs, `bed_rolling` what rolling resistance does, `bed_two_sizes` what sizes do. Every scene
+// is a template over the precision of the case.
 #pragma once
 
 #include <vector>
@@ -34,6 +34,17 @@ struct bed_with_ledger : bed<1000, P> {
 template <Precision P>
 struct bed_rolling : bed<1000, P> {
   static constexpr double rolling_friction = 0.1;
+};
+/// Half of the particles of another size; these do not fit together as the bed's do, and settle anew.
+template <Precision P>
+struct bed_two_sizes : bed<1000, P> {
+  using one_size = bed<1000, P>;
+  static constexpr double largest_diameter = one_size::diameter, smallest_diameter = 0.8 * one_size::diameter;
+  static constexpr double reference_density = one_size::density;
+  static constexpr double mean_volume = 0.5 * (1 + 0.8 * 0.8 * 0.8) * Derived<one_size>::volume;
+  static constexpr int species_count = 2, neighbour_capacity = 20;
+  static constexpr SizeRun sizes[] = {{500, largest_diameter, one_size::density, 0},
+                                      {500, smallest_diameter, one_size::density, 1}};
 };
 template <int N, Precision P>
 struct agitated : bed<N, P> {};
@@ -92,6 +103,17 @@ void start_bed(Simulation& simulation) {
 template <class Simulation>
 void start_drum(Simulation& simulation) {
   start_stored(simulation, states.drum);
+  require(simulation.run(200000));
+}
+
+/// The bed of two sizes after 0.4 s: every other particle of the bed is one of the small ones.
+template <class Simulation>
+void start_two_sizes(Simulation& simulation) {
+  const auto& particles = states.bed.particles;
+  const int half = Simulation::count / 2;
+  for (int id = 0; id < Simulation::count; ++id)
+    simulation.place(id, particles[static_cast<std::size_t>(id < half ? 2 * id : 2 * (id - half) + 1)]);
+  require(simulation.start());
   require(simulation.run(200000));
 }
 

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "constant_math.hpp"
+#include "sizes.hpp"
 
 namespace fixdem {
 
@@ -47,14 +48,37 @@ struct Placed {
   double angular_velocity[3];  ///< rad/s
 };
 
-/// Everything the step needs that follows from a case, evaluated at compile time.
-template <class Case>
-struct Derived {
+namespace detail {
+/// What all particles have in common. Coefficients of contacts are given for spheres of the reference radius and mass.
+template <class Case, bool has_sizes = fixdem::has_sizes<Case>>
+struct Spheres {
   static constexpr double pi = 3.14159265358979323846;
   static constexpr double radius = Case::diameter / 2;
   static constexpr double volume = pi / 6 * Case::diameter * Case::diameter * Case::diameter;
   static constexpr double mass = volume * Case::density;
   static constexpr double moment_of_inertia = 0.4 * mass * radius * radius;
+  static constexpr double largest_radius = radius, smallest_radius = radius;
+  static constexpr double reference_radius = radius, reference_mass = mass;
+  static constexpr double reduced_radius_pair = radius / 2, reduced_mass_pair = mass / 2;
+};
+/// Of several sizes: the sphere of reference is the heaviest of the largest ones, and what the springs of a pair follow
+/// from is taken as that of a wall: a reduced radius and mass as its own (contact_sizes.hpp scales them).
+template <class Case>
+struct Spheres<Case, true> {
+  static constexpr double pi = 3.14159265358979323846;
+  static constexpr double largest_radius = Case::largest_diameter / 2, smallest_radius = Case::smallest_diameter / 2;
+  static constexpr double reference_radius = largest_radius;
+  static constexpr double reference_mass =
+      pi / 6 * Case::largest_diameter * Case::largest_diameter * Case::largest_diameter * Case::reference_density;
+  static constexpr double reduced_radius_pair = reference_radius, reduced_mass_pair = reference_mass;
+};
+}  // namespace detail
+
+/// Everything the step needs that follows from a case, evaluated at compile time.
+template <class Case>
+struct Derived : detail::Spheres<Case> {
+  using Spheres = detail::Spheres<Case>;
+  using Spheres::pi;
   static constexpr double pipe_radius = Case::pipe_diameter / 2;
 
   static constexpr bool has_ends = Case::ends == Ends::closed;
@@ -83,20 +107,23 @@ struct Derived {
   static constexpr double shear_modulus = Case::youngs_modulus / (2 * (1 + Case::poisson_ratio));  // eq. (20)
 
   /// Normal stiffness: N/m^1.5 with Hertz (eqs. 16, 17), N/m with the linear law.
-  static constexpr double stiffness_pair =
-      is_hertz ? square_root(2 * radius) * Case::youngs_modulus / (3 * (1 - Case::poisson_ratio * Case::poisson_ratio))
-               : Case::normal_stiffness;
+  static constexpr double stiffness_pair = is_hertz
+                                               ? square_root(4 * Spheres::reduced_radius_pair) * Case::youngs_modulus /
+                                                     (3 * (1 - Case::poisson_ratio * Case::poisson_ratio))
+                                               : Case::normal_stiffness;
   static constexpr double stiffness_wall =
-      is_hertz ? 4.0 / 3.0 * square_root(radius) /
+      is_hertz ? 4.0 / 3.0 * square_root(Spheres::reference_radius) /
                      ((1 - Case::poisson_ratio * Case::poisson_ratio) / Case::youngs_modulus +
                       (1 - Case::wall_poisson_ratio * Case::wall_poisson_ratio) / Case::wall_youngs_modulus)
                : Case::normal_stiffness;
 
   /// Tangential stiffness: k_t = value * sqrt(overlap) with Hertz (eqs. 21, 22), N/m with the linear law.
   static constexpr double tangential_stiffness_pair =
-      is_hertz ? 2 * square_root(2 * radius) * shear_modulus / (2 - Case::poisson_ratio) : Case::tangential_stiffness;
+      is_hertz ? 2 * square_root(4 * Spheres::reduced_radius_pair) * shear_modulus / (2 - Case::poisson_ratio)
+               : Case::tangential_stiffness;
   static constexpr double tangential_stiffness_wall =
-      is_hertz ? 8 * square_root(radius) * shear_modulus / (2 - Case::poisson_ratio) : Case::tangential_stiffness;
+      is_hertz ? 8 * square_root(Spheres::reference_radius) * shear_modulus / (2 - Case::poisson_ratio)
+               : Case::tangential_stiffness;
 
   /// -ln e / sqrt(pi^2 + ln^2 e): the damping ratio of a linear oscillator that returns the restitution e.
   static constexpr double damping_ratio(double e) {
@@ -104,25 +131,33 @@ struct Derived {
   }
 
   /// Mass in eq. (26) for a pair and for a wall.
-  static constexpr double damping_mass_pair = Case::damping_mass == DampingMass::reduced ? mass / 2 : mass;
-  static constexpr double damping_mass_wall = mass;
+  static constexpr double damping_mass_pair =
+      Case::damping_mass == DampingMass::reduced ? Spheres::reduced_mass_pair : Spheres::reference_mass;
+  static constexpr double damping_mass_wall = Spheres::reference_mass;
+  /// Mass in eq. (23): 2 sqrt(2 M k) between spheres, 2 sqrt(m k) at a wall.
+  static constexpr double critical_mass_pair = 2 * Spheres::reduced_mass_pair;
+  static constexpr double critical_mass_wall = Spheres::reference_mass;
 
   /// Normal damping: eta = value * overlap^(1/4) with Hertz (eq. 26); kg/s, constant, with the linear law.
-  static constexpr double damping(double stiffness, double damping_mass, double restitution) {
+  static constexpr double damping(double stiffness, double damping_mass, double critical_mass, double restitution) {
     const double ratio = damping_ratio(restitution);
     const double alpha = 2.2360679774997897 * ratio;  // closed form of eq. (30); sqrt(5)
     if (is_hertz) return alpha * square_root(damping_mass * stiffness);
-    if (Case::damping == Damping::critical) return 2 * square_root(mass * stiffness);  // eq. (23)
+    if (Case::damping == Damping::critical) return 2 * square_root(critical_mass * stiffness);
     return 2 * ratio * square_root(damping_mass * stiffness);
   }
-  static constexpr double damping_pair = damping(stiffness_pair, damping_mass_pair, Case::restitution);
-  static constexpr double damping_wall = damping(stiffness_wall, damping_mass_wall, wall_restitution);
+  static constexpr double damping_pair =
+      damping(stiffness_pair, damping_mass_pair, critical_mass_pair, Case::restitution);
+  static constexpr double damping_wall =
+      damping(stiffness_wall, damping_mass_wall, critical_mass_wall, wall_restitution);
 
   /// Tangential damping: equal to the normal one (eq. 31), or critical with k_t (eq. 23).
   static constexpr double tangential_damping_pair =
-      Case::damping == Damping::critical ? 2 * square_root(mass * tangential_stiffness_pair) : damping_pair;
+      Case::damping == Damping::critical ? 2 * square_root(critical_mass_pair * tangential_stiffness_pair)
+                                         : damping_pair;
   static constexpr double tangential_damping_wall =
-      Case::damping == Damping::critical ? 2 * square_root(mass * tangential_stiffness_wall) : damping_wall;
+      Case::damping == Damping::critical ? 2 * square_root(critical_mass_wall * tangential_stiffness_wall)
+                                         : damping_wall;
 
   static constexpr double slice_length = Case::pipe_length / Case::slice_count;
 };

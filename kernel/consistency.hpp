@@ -2,7 +2,7 @@
 //
 // A run keeps these promises by itself and checks none of them in a step, so whoever copies bytes into a simulation
 // asks here first. What is looked at, array by array:
-//   particles  id is a permutation; places are finite and inside the pipe; motion is finite
+//   particles  id is a permutation; places are finite and inside the pipe; motion is finite; each has its own size
 //   outer list the span and the chunks at the ends are possible ones; counts fit, and pairs are rows of their range
 //   next sort  its decision is near, and what it goes by are possible numbers
 //   pairs      the same, of all lanes in use; bits of lanes that exist
@@ -49,6 +49,7 @@ bool are_particles_consistent(const Particles<Case>& p) {
     if (p.id[i] < 0 || p.id[i] >= count) return false;
     if (p.image[i] > 1 << 30 || p.image[i] < -(1 << 30)) return false;
     if (!(z > -Case::pipe_length && z < 2 * Case::pipe_length)) return false;
+    if (!has_its_size(p, i)) return false;
   }
   // A permutation: sums of the numbers and of their squares would not tell; marks need a bit for each particle.
   unsigned char seen[(count + 7) / 8 < 4096 ? (count + 7) / 8 : 4096];
@@ -119,7 +120,7 @@ bool are_lanes_consistent(const Batches& batches, int range, int most, int owner
 template <class Case>
 bool is_next_sort_consistent(const NearList<Case>& near, long long step) {
   if (near.sorted_at < 0 || near.sorted_at > step || near.next_decision > step + order_interval) return false;
-  if (!(near.outer.margin >= 0 && near.outer.margin <= outer_margin<Case> * Case::diameter)) return false;
+  if (!(near.outer.margin >= 0 && near.outer.margin <= outer_margin<Case> * smallest_diameter<Case>)) return false;
   for (double travel : near.travel)
     if (!(travel >= 0)) return false;
   for (double velocity : near.frame)

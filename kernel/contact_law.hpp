@@ -25,12 +25,8 @@ struct ContactLaw {
   static constexpr bool has_friction = friction > 0;
   static constexpr double rolling_friction = is_wall ? D::wall_rolling_friction : D::rolling_friction;
   static constexpr bool has_rolling = has_friction && rolling_friction > 0;
-  static constexpr double scale = Case::time_step / D::mass;
-  static constexpr double bodies = is_wall ? 1 : 2;       ///< that the force moves
-  static constexpr double bodies_of_slip = 3.5 * bodies;  ///< a tangential force changes the spin, too: 1 + r^2 m / I
-  static constexpr double rolling_lever = 1 / bodies;     ///< reduced radius over radius
-  static constexpr double bodies_of_rolling =
-      2.5 * rolling_lever;  ///< a torque changes the rolling velocity: r^2 m / I
+  static constexpr double scale = Case::time_step / D::reference_mass;
+  static constexpr double bodies = is_wall ? 1 : 2;  ///< equal ones that the force moves (contact_bodies.hpp)
   static constexpr double stiffness = scale * (is_wall ? D::stiffness_wall : D::stiffness_pair);
   static constexpr double tangential_stiffness =
       scale * (is_wall ? D::tangential_stiffness_wall : D::tangential_stiffness_pair);
@@ -75,10 +71,10 @@ struct ContactForce {
 /// A contact step as if all lanes stuck. The whole force is F = -(K overlap^(3/2) n + eta u + k_t delta_t), since
 /// u = (u.n) n + v_s and both dampings share eta; where a lane slides, delta_t is where the slider starts.
 /// `normal_power`: of the normal damping, for the ledger.
-template <class Law, class Case, SlidingLanes mode, class V, class Normal>
-FIXDEM_INLINE ContactStep<V> stick(const Springs<V>& k, const TangentialSpring<V>& s, const Normal& n, const Vec3<V>& u,
-                                   V normal_velocity, V normal_force, [[maybe_unused]] V normal_power,
-                                   const Vec3<V>& kept) {
+template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Bodies>
+FIXDEM_INLINE ContactStep<V> stick([[maybe_unused]] const Bodies& bodies, const Springs<V>& k,
+                                   const TangentialSpring<V>& s, const Normal& n, const Vec3<V>& u, V normal_velocity,
+                                   V normal_force, [[maybe_unused]] V normal_power, const Vec3<V>& kept) {
   ContactStep<V> step;
   V along_normal = k.repulsion;  // what is left along n after eta u has taken its share
   if constexpr (Law::tangential_damping != Law::damping || Case::integrator != Integrator::euler)
@@ -88,28 +84,28 @@ FIXDEM_INLINE ContactStep<V> stick(const Springs<V>& k, const TangentialSpring<V
   if constexpr (Case::energy_ledger) {
     const V power = fused(normal_velocity, normal_force, dot(u, step.force));  // of the tangential force
     const V square = fused_minus(normal_velocity, normal_velocity, dot(u, u));
-    step.damping_power = fused(s.damping, fused(splat<V>(Law::bodies_of_slip / 2), power, square), normal_power);
+    step.damping_power = fused(s.damping, fused(bodies.count(1.75), power, square), normal_power);
   }
   return step;
 }
 
-/// Scaled force on the owner, and the history advanced. `n`: Vec3, or Vec2 where the normal has no component along the
-/// pipe. `surface_velocity` u = v_r + (r w_i + r w_j) x n; `normal_velocity` v_r.n; `damped_velocity`: the normal
-/// velocity that the damping sees (the same with `euler`, predicted half a step ahead with `leapfrog`);
-/// `rolling_velocity`: eq. (47).
+/// Scaled force on the owner, and the history advanced. `bodies`: ContactBodies. `n`: Vec3, or Vec2 where the normal
+/// has no component along the pipe. `surface_velocity` u = v_r + (r w_i + r w_j) x n; `normal_velocity` v_r.n;
+/// `damped_velocity`: the normal velocity that the damping sees (the same with `euler`, predicted half a step ahead
+/// with `leapfrog`); `rolling_velocity`: eq. (47).
 ///
 /// With `reported`, a batch of which any lane slides sets `is_done` to false, and nothing else of the result
 /// counts: without that code and what it needs, the short code keeps its numbers in registers.
-template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Mask>
-FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n, const Vec3<V>& surface_velocity,
-                                            V normal_velocity, V damped_velocity,
+template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Mask, class Bodies>
+FIXDEM_INLINE ContactForce<V> contact_force(const Bodies& bodies, const Springs<V>& k, const Normal& n,
+                                            const Vec3<V>& surface_velocity, V normal_velocity, V damped_velocity,
                                             [[maybe_unused]] const Vec3<V>& rolling_velocity, Mask touching,
                                             History<V>& history, bool& is_done) {
   const Vec3<V>& u = surface_velocity;
   const V normal_force = fused(k.damping, damped_velocity, k.repulsion);  // repulsive positive
   is_done = true;
   // In the middle of the step, as far as this contact changes it.
-  [[maybe_unused]] const V mean_velocity = fused_minus(splat<V>(Law::bodies / 2), normal_force, normal_velocity);
+  [[maybe_unused]] const V mean_velocity = fused_minus(bodies.count(0.5), normal_force, normal_velocity);
   [[maybe_unused]] const V normal_power = k.damping * damped_velocity * mean_velocity;
   if constexpr (!Law::has_friction) {
     return {scale(-normal_force, n), normal_power};
@@ -118,14 +114,14 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
         last_spring<Case>(history.spring, history.last_tangential_stiffness, k.tangential_stiffness);
     const TangentialSpring<V> s = tangential_spring<Law, Case>(k, touching, history.last_tangential_stiffness);
     ContactStep<V> step =
-        stick<Law, Case, mode>(k, s, n, u, normal_velocity, normal_force, normal_power, history.spring);
+        stick<Law, Case, mode>(bodies, k, s, n, u, normal_velocity, normal_force, normal_power, history.spring);
     const V excess = excess_over_friction<Law, Case>(step.force, s.to_force, step.spring, normal_force, k.repulsion);
     if constexpr (mode == SlidingLanes::reported) {
       is_done = !any_below(V{}, excess);
     } else if (any_below(V{}, excess)) {  // forces without overlap are zero, and exceed nothing
       const Vec3<V> slip = subtract_scaled(u, normal_velocity, n);
-      step = slide<Law, Case>(step, excess > V{}, s, {slip, slip, slip}, n, normal_force, k.repulsion, normal_power,
-                              history.last_limit, before.force);
+      step = slide<Law, Case>(bodies, step, excess > V{}, s, {slip, slip, slip}, n, normal_force, k.repulsion,
+                              normal_power, history.last_limit, before.force);
     }
     V law_work{};
     if constexpr (Case::energy_ledger)
@@ -135,10 +131,10 @@ FIXDEM_INLINE ContactForce<V> contact_force(const Springs<V>& k, const Normal& n
     ContactForce<V> f{step.force, step.damping_power, step.sliding_work, law_work};
     if constexpr (Law::has_rolling) {
       const LastSpring<V> rolled = last_spring<Case>(history.rolling, before.stiffness, k.tangential_stiffness);
-      f.rolling = roll<Law, Case, mode>(s, s.gain, n, rolling_velocity, k.repulsion, k.tangential_stiffness, touching,
-                                        rolled, step.force, history.rolling, is_done);
+      f.rolling = roll<Law, Case, mode>(s, s.gain, n, rolling_velocity, bodies, k.repulsion, k.tangential_stiffness,
+                                        touching, rolled, step.force, history.rolling, is_done);
       if constexpr (Case::energy_ledger)
-        f.damping_power = f.damping_power + damping_by_rolling<Law, Case>(s, step.force, step.spring, f.rolling.force);
+        f.damping_power = f.damping_power + damping_by_rolling(bodies, s, step.force, step.spring, f.rolling.force);
     }
     return f;
   }

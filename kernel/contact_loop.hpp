@@ -52,7 +52,7 @@ FIXDEM_INLINE void interleaved_contacts(const Side& side, const Offset* owner, c
     const ContactGeometry<Case, W>& g = at(0).geometry;
     const auto place = place_of(k);
     [[maybe_unused]] const bool is_done = contact_rows<Case, W, mode>(
-        side, g, owner + k, partner + k, side.template motion<W>(owner + k, partner + k), place);
+        side, g, owner + k, partner + k, moving_bodies<Case, W>(side, owner + k, partner + k), place);
     if constexpr (mode == SlidingLanes::reported)
       if (!is_done) sliding_contact_rows<Case, W>(side, g, owner + k, partner + k, place);
   }
@@ -72,14 +72,14 @@ FIXDEM_INLINE void grouped_contacts(const Side& side, const Offset* owner, const
       store_geometry<Case, W>(side, s, root_of(side, s), *g, overlap.part[0]);
     }
     g = geometry;
-    auto next = side.template motion<W>(owner + begin, partner + begin);
+    auto next = moving_bodies<Case, W>(side, owner + begin, partner + begin);
     for (int k = begin; k < end; k += W, ++g) {
-      const auto motion = next;
+      const auto moving = next;
       const int ahead = k + W < end ? k + W : k;
-      next = side.template motion<W>(owner + ahead, partner + ahead);
+      next = moving_bodies<Case, W>(side, owner + ahead, partner + ahead);
       const auto place = place_of(k);
       [[maybe_unused]] const bool is_done =
-          contact_rows<Case, W, mode>(side, *g, owner + k, partner + k, motion, place);
+          contact_rows<Case, W, mode>(side, *g, owner + k, partner + k, moving, place);
       if constexpr (mode == SlidingLanes::reported)
         if (!is_done) sliding_contact_rows<Case, W>(side, *g, owner + k, partner + k, place);
     }

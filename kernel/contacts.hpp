@@ -104,6 +104,24 @@ struct PairRange {
   }
 };
 
+/// From owners to partners, the square of the distance, and with several sizes r_i + r_j. Offsets count from the two
+/// rows.
+template <class Case, int W, class Offset>
+FIXDEM_INLINE Separation<Lanes<W>> separation_of_pairs(const double* partner_position, const Offset* partner,
+                                                       const double* owner_position, const Offset* owner,
+                                                       double shift) {
+  Separation<Lanes<W>> s{};
+  if constexpr (has_sizes<Case>) {
+    const Vec4<Lanes<W>> r = load_separations<W>(partner_position, partner, owner_position, owner);
+    s.separation = {r.x, r.y, r.z}, s.reach = r.w;
+  } else {
+    s.separation = load_differences<W>(partner_position, partner, owner_position, owner);
+  }
+  s.separation.z = s.separation.z + shift;
+  s.gap_square = dot(s.separation, s.separation);
+  return s;
+}
+
 /// Near walls of one kind; at most one contact of a kind per particle.
 template <class Case, class WallSurface, bool is_present = WallSurface::is_present>
 struct WallBatches {
@@ -139,12 +157,22 @@ constexpr int batches_for(int contacts) {
   return (contacts + Capacity<Case>::batch - 1) / Capacity<Case>::batch;
 }
 
+namespace detail {
+template <int Count, bool present>
+struct RadiiIfSeveral {
+  alignas(64) double of[Count];
+};
+template <int Count>
+struct RadiiIfSeveral<Count, false> {};
+}  // namespace detail
+
 /// What sorting (order.hpp) and the outer list (outer_list.hpp) need for their duration.
 template <class Case>
 struct SortScratch {
   static constexpr int count = Case::particle_count;
   int source[count];                                            ///< present number of the particle that goes there
   alignas(64) double x[count + 8], y[count + 8], z[count + 8];  ///< places in the new order
+  [[no_unique_address]] detail::RadiiIfSeveral<count + 8, has_sizes<Case>> radius;
 };
 
 template <class Case>

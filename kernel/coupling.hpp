@@ -13,7 +13,7 @@ template <class Case, bool present = is_coupled<Case>>
 struct Coupling {
   double gravity[3];    ///< m/s2
   double gas_velocity;  ///< m/s
-  double earlier_work;  ///< of gravity per mass before it was set last, J/kg
+  double earlier_work;  ///< of gravity per mass of reference before it was set last, J/kg
   /// Gravity times time step as the rows of motion have it: velocity, and for rotation -0, which changes nothing.
   alignas(64) double kick[8];
 

@@ -52,12 +52,14 @@ class Simulation {
       const Particle& from = s_.before.placed[i];
       double* x = s_.particles.position[i];
       double* v = s_.particles.motion[i];
+      for (int c = 0; c < Particles<Case>::motion_width; ++c) v[c] = 0;
       for (int c = 0; c < 4; ++c) x[c] = c < 3 ? from.position[c] : 0;
-      for (int c = 0; c < 4; ++c) v[c] = c < 3 ? from.velocity[c] : 0;
+      for (int c = 0; c < 3; ++c) v[c] = from.velocity[c];
       if constexpr (D::has_rotation)
-        for (int c = 0; c < 4; ++c) v[4 + c] = c < 3 ? D::radius * from.angular_velocity[c] : 0;
+        for (int c = 0; c < 3; ++c) v[4 + c] = radius_of<Case>(i) * from.angular_velocity[c];
       if constexpr (holds_positions_ahead<Case>)
-        for (int c = 0; c < 4; ++c) x[c] += 0.5 * Case::time_step * v[c];
+        for (int c = 0; c < 3; ++c) x[c] += 0.5 * Case::time_step * v[c];
+      if constexpr (has_sizes<Case>) set_size(s_.particles, i, i);
       if constexpr (Particles<Case>::predicts)
         for (int c = 0; c < 4; ++c) s_.particles.last_kick.row[i][c] = 0;
       if constexpr (Case::has_gas)
@@ -80,7 +82,7 @@ class Simulation {
                        [[maybe_unused]] const double* rolling = nullptr) {
     if constexpr (D::has_rotation) {
       s_.histories_given_at = s_.step;
-      constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::mass;
+      constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::reference_mass;
       const auto set = [&](auto& batches, int range, int k, double sign) {
         using Law = typename std::remove_reference_t<decltype(batches)>::Law;
         if constexpr (Law::history_vectors > 0) {
@@ -134,7 +136,7 @@ class Simulation {
       for (int c = 0; c < 3; ++c) p.position[c] -= 0.5 * Case::time_step * v[c];
     if constexpr (D::is_periodic) p.position[2] -= turns(p.position[2]) * Case::pipe_length;
     if constexpr (D::has_rotation)
-      for (int c = 0; c < 3; ++c) p.angular_velocity[c] = v[4 + c] / D::radius;
+      for (int c = 0; c < 3; ++c) p.angular_velocity[c] = v[4 + c] / radius_at<Case>(x);
     return p;
   }
 
@@ -160,7 +162,7 @@ class Simulation {
   /// Where the energy is and where it went. Dissipation and gas work are zero in a case without energy ledger.
   Energy energy() const {
     Energy e = energy_without_gravity(s_);
-    e.gravity_work = D::mass * work_of_gravity();
+    e.gravity_work = D::reference_mass * work_of_gravity();
     return e;
   }
 
@@ -257,14 +259,14 @@ class Simulation {
   Status deepest() const {
     Status worst{};
     detail::for_each_observed(s_, [&](const detail::Observed<Case>& o) {
-      const double overlap = o.contact.overlap / D::radius;
+      const double overlap = o.contact.overlap / D::smallest_radius;
       if (overlap > worst.value) worst = {Fault::overlap, o.contact.owner, s_.step, overlap, Case::max_overlap};
     });
     if (!(worst.value > Case::max_overlap)) worst.fault = Fault::none;
     return worst;
   }
 
-  /// Since the start, per mass of a particle, J/kg.
+  /// Since the start, per mass of reference, J/kg.
   double work_of_gravity() const {
     const double* gravity = Case::gravity;
     double work = 0;
@@ -273,10 +275,12 @@ class Simulation {
     return work;
   }
 
+  /// Weighted by mass.
   double place_sum(int c) const {
     double sum = 0;
     for (int i = 0; i < count; ++i)
-      sum += s_.particles.position[i][c] + (c == 2 ? s_.particles.image[i] * Case::pipe_length : 0);
+      sum += share_of_mass(s_.particles, i) *
+             (s_.particles.position[i][c] + (c == 2 ? s_.particles.image[i] * Case::pipe_length : 0));
     return sum;
   }
 

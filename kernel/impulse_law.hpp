@@ -46,20 +46,20 @@ struct NormalImpulse {
 /// The normal impulse. `velocity`: v, growth of the overlap; `last`: state function of the last step; `pressed`: lanes
 /// with overlap, `touching`: those and the ones that had some. With `reported`, lanes that need the closed forms set
 /// `is_done` to false, and nothing else counts.
-template <class Law, class Case, SlidingLanes mode, class V, class Mask>
-FIXDEM_INLINE NormalImpulse<V> normal_impulse(const OverlapRoots<V>& at, V velocity, V last, Mask pressed,
-                                              Mask touching, bool& is_done) {
+template <class Law, class Case, SlidingLanes mode, class V, class Mask, class Bodies>
+FIXDEM_INLINE NormalImpulse<V> normal_impulse(const Bodies& bodies, const OverlapRoots<V>& at, V velocity, V last,
+                                              Mask pressed, Mask touching, bool& is_done) {
   constexpr bool is_hertz = Derived<Case>::is_hertz;
-  constexpr double bodies = Law::bodies, half_step = Case::time_step / 2;
+  constexpr double half_step = Case::time_step / 2;
   const V half = splat<V>(0.5), one = splat<V>(1);
-  V stiffness = splat<V>(Law::stiffness), damping = splat<V>(Law::damping), state_weight = splat<V>(1.6);
+  V stiffness = bodies.stiffness(), damping = bodies.damping(), state_weight = splat<V>(1.6);
   if constexpr (is_hertz) {
-    stiffness = constant<V>(Law::stiffness) * at.root;
-    damping = constant<V>(Law::damping) * at.fourth;
-    state_weight = fused_minus(at.root, splat<V>(1.6 * 0.15 * bodies * Case::time_step * Law::stiffness), state_weight);
+    stiffness = stiffness * at.root;
+    damping = damping * at.fourth;
+    state_weight = fused_minus(at.root, bodies.stiffness_times_count(1.6 * 0.15 * Case::time_step), state_weight);
   }
-  const V resisted = fused(splat<V>(0.5 * bodies), damping, one), inverse = one / (resisted * at.overlap);
-  const V resisted_velocity = fused(splat<V>(-0.5 * bodies), stiffness * at.overlap, velocity) * (inverse * at.overlap);
+  const V resisted = fused(bodies.count(0.5), damping, one), inverse = one / (resisted * at.overlap);
+  const V resisted_velocity = fused(bodies.count(-0.5), stiffness * at.overlap, velocity) * (inverse * at.overlap);
   const V change = where(pressed, resisted_velocity - velocity);  // (v' - v)/2
 
   NormalImpulse<V> p;
@@ -92,9 +92,8 @@ FIXDEM_INLINE NormalImpulse<V> normal_impulse(const OverlapRoots<V>& at, V veloc
   } else if (any(in_full)) {
     const detail::PathMeans<V> e =
         detail::means_in_full<is_hertz>(at, path_before, path_after, path_of_state, last, pressed);
-    constexpr double stiffness_alone = Law::stiffness, damping_alone = Law::damping;
-    elastic = select(in_full, constant<V>(stiffness_alone) * e.elastic, elastic);
-    damping = select(in_full, splat<V>(damping_alone), damping);
+    elastic = select(in_full, bodies.stiffness() * e.elastic, elastic);
+    damping = select(in_full, bodies.damping(), damping);
     damping_mean = select(in_full, e.damping, damping_mean);
     state = select(in_full, e.state, state);
     state_before = select(in_full, e.state_before, state_before);
@@ -103,16 +102,15 @@ FIXDEM_INLINE NormalImpulse<V> normal_impulse(const OverlapRoots<V>& at, V veloc
   p.state_function = where(pressed, state);
   p.tangential_damping = where(touching, damping * damping_mean);
   constexpr double exponent = is_hertz ? 0.8 : 1;
-  p.damping =
-      where(touching, constant<V>(exponent * Law::damping / Case::time_step) * (p.state_function - state_before));
+  p.damping = where(touching, bodies.damping(exponent, Case::time_step) * (p.state_function - state_before));
   p.total = where(touching, elastic) + p.damping;
   return p;
 }
 
 /// Scaled impulse on the owner, and the history advanced: the counterpart of contact_force (contact_law.hpp), where the
 /// parameters are explained.
-template <class Law, class Case, SlidingLanes mode, class V, class Normal>
-FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const Normal& n,
+template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Bodies>
+FIXDEM_INLINE ContactForce<V> contact_impulse(const Bodies& bodies, const OverlapRoots<V>& at, const Normal& n,
                                               const Vec3<V>& surface_velocity, V normal_velocity,
                                               [[maybe_unused]] const Vec3<V>& rolling_velocity, History<V>& history,
                                               bool& is_done) {
@@ -120,16 +118,16 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
   using Mask = decltype(V{} > V{});
   const Mask pressed = at.overlap > V{}, known = history.state_function > V{}, touching = pressed | known;
   const NormalImpulse<V> p =
-      normal_impulse<Law, Case, mode>(at, normal_velocity, history.state_function, pressed, touching, is_done);
-  [[maybe_unused]] const V normal_power = p.damping * fused_minus(splat<V>(Law::bodies / 2), p.total, normal_velocity);
+      normal_impulse<Law, Case, mode>(bodies, at, normal_velocity, history.state_function, pressed, touching, is_done);
+  [[maybe_unused]] const V normal_power = p.damping * fused_minus(bodies.count(0.5), p.total, normal_velocity);
   history.state_function = p.state_function;
   if constexpr (!Law::has_friction) {
     return {scale(-p.total, n), normal_power};
   } else {
-    V stiffness = where(pressed, splat<V>(Law::tangential_stiffness));
-    if constexpr (Derived<Case>::is_hertz) stiffness = constant<V>(Law::tangential_stiffness) * at.root;
+    V stiffness = where(pressed, bodies.tangential_stiffness());
+    if constexpr (Derived<Case>::is_hertz) stiffness = bodies.tangential_stiffness() * at.root;
     [[maybe_unused]] const V rolling_stiffness = stiffness;
-    stiffness = stiffness * detail::square_of_sinc(constant<V>(0.875 * Law::bodies * Case::time_step) * stiffness);
+    stiffness = stiffness * detail::square_of_sinc(bodies.count(0.875 * Case::time_step) * stiffness);
     [[maybe_unused]] const LastSpring<V> before =
         last_spring<Case>(history.spring, history.last_tangential_stiffness, stiffness);
     const TangentialSpring<V> s = tangential_spring<Law, Case>(Springs<V>{V{}, p.tangential_damping, stiffness},
@@ -148,7 +146,7 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
     if constexpr (Case::energy_ledger) {
       // The damping's force is of `middle`; it works on the mean of before and after.
       const Vec3<V> damped = subtract_scaled(middle, middle_normal, n);
-      const Vec3<V> mean = add_scaled(u, splat<V>(Law::bodies_of_slip / 2), step.force);
+      const Vec3<V> mean = add_scaled(u, bodies.count(1.75), step.force);
       step.damping_power = fused(s.damping, dot(damped, mean), normal_power);
     }
 
@@ -160,8 +158,8 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
     } else if (any_below(V{}, excess)) {
       const Vec3<V> present = subtract_scaled(u, normal_velocity, n);
       const Slip<V> slip = {scale(p.share_of_step, present), subtract_scaled(middle, middle_normal, n), present};
-      step = slide<Law, Case>(step, excess > V{}, s, slip, n, p.total, elastic, normal_power, history.last_limit,
-                              before.force);
+      step = slide<Law, Case>(bodies, step, excess > V{}, s, slip, n, p.total, elastic, normal_power,
+                              history.last_limit, before.force);
       if constexpr (Case::energy_ledger) step.sliding_work = where(pressed, step.sliding_work);
     }
     V law_work{};
@@ -174,10 +172,10 @@ FIXDEM_INLINE ContactForce<V> contact_impulse(const OverlapRoots<V>& at, const N
           last_spring<Case>(history.rolling, history.last_rolling_stiffness, rolling_stiffness);
       const TangentialSpring<V> r = tangential_spring<Law, Case>(
           Springs<V>{V{}, p.tangential_damping, rolling_stiffness}, pressed, history.last_rolling_stiffness);
-      f.rolling = roll<Law, Case, mode>(r, r.gain * p.share_of_step, n, rolling_velocity, elastic, rolling_stiffness,
-                                        pressed, rolled, f.force, history.rolling, is_done);
+      f.rolling = roll<Law, Case, mode>(r, r.gain * p.share_of_step, n, rolling_velocity, bodies, elastic,
+                                        rolling_stiffness, pressed, rolled, f.force, history.rolling, is_done);
       if constexpr (Case::energy_ledger)
-        f.damping_power = f.damping_power + damping_by_rolling<Law, Case>(s, f.force, step.spring, f.rolling.force);
+        f.damping_power = f.damping_power + damping_by_rolling(bodies, s, f.force, step.spring, f.rolling.force);
     }
     return f;
   }

@@ -51,7 +51,8 @@ void list_walls(Walls& walls, const NearList<Case>& near, const Particles<Case>&
                 int chunk, bool pairs_are_sparse) {
   const int base = chunk * Capacity<Case>::chunk_size, first = Walls::first(chunk);
   Validity& validity = walls.validity[chunk];
-  validity.renew(walls.surface.speed(near.velocities[chunk]) * Case::time_step, maximum_wall_margin, Case::diameter);
+  validity.renew(walls.surface.speed(near.velocities[chunk]) * Case::time_step, maximum_wall_margin,
+                 smallest_diameter<Case>);
   double nearest_unlisted = 1e300;
   int k = 0, touching = 0;
   for (int i = 0; i < particles_in<Case>(chunk); ++i) {
@@ -85,16 +86,17 @@ Status list_pairs(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   const PairRange<Case> at(range);
   const int first = PairBatches<Case>::first(range), candidates = outer.pairs[range];
   const auto *owners = outer.owner + outer.first(range), *partners = outer.partner + outer.first(range);
-  pairs.validity[range].renew(near.velocities_of(range).spread() * Case::time_step, maximum_margin, Case::diameter);
-  const double cut_off = Case::diameter + pairs.validity[range].margin;
+  pairs.validity[range].renew(near.velocities_of(range).spread() * Case::time_step, maximum_margin,
+                              smallest_diameter<Case>);
+  const double margin = pairs.validity[range].margin;
   int k = 0, touching = 0;
   for (int c = 0; c < candidates; c += W) {
-    Vec3<V> r = load_differences<W>(p.position[at.partner_base], partners + c, p.position[at.owner_base], owners + c);
-    r.z = r.z + at.shift;
-    const V square = dot(r, r);
+    const Separation<V> s = separation_of_pairs<Case, W>(p.position[at.partner_base], partners + c,
+                                                         p.position[at.owner_base], owners + c, at.shift);
+    const V touch = has_sizes<Case> ? s.reach : splat<V>(largest_diameter<Case>), cut_off = touch + margin;
     const unsigned valid = candidates - c < W ? (1u << (candidates - c)) - 1 : ~0u;
-    unsigned hits = bits_below(square, splat<V>(cut_off * cut_off)) & valid;
-    touching += __builtin_popcount(bits_below(square, splat<V>(Case::diameter * Case::diameter)) & hits);
+    unsigned hits = bits_below(s.gap_square, cut_off * cut_off) & valid;
+    touching += __builtin_popcount(bits_below(s.gap_square, touch * touch) & hits);
     for (; hits != 0; hits &= hits - 1) {
       const int from = c + __builtin_ctz(hits), batch = first + k / Cap::batch, lane = k % Cap::batch;
       const int owner = at.owner_base + Rows<Case>::number(owners[from]);

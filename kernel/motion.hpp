@@ -5,7 +5,7 @@
 // ones have summed already (sparse_contacts.hpp), gravity and gas, and moves while the sum is in registers:
 // semi-implicit Euler, position with the new velocity. With positions held half a step ahead the same two lines are the
 // leapfrog. Rows are scaled to velocity change per step; r dw = r^2 m / I times the torque row = 2.5 times it for a
-// solid sphere.
+// solid sphere. With several sizes rows are those of the mass of reference, and their sum counts m_0/m times.
 #pragma once
 
 #include "contacts.hpp"
@@ -64,11 +64,11 @@ requires(Case::energy_ledger&& Case::has_gas) struct MotionMonitor<Case, W> {
   }
 };
 
-/// Velocity change of a particle by its contacts: own rows, less the forces of incoming ones. In mixed precision rows
-/// are summed in float, then widened.
-template <class Case, int W, int k>
+/// Velocity change of a particle by its contacts: k own rows, less the forces of k incoming ones; `entry(s)` is the
+/// offset of row s. In mixed precision rows are summed in float, then widened.
+template <class Case, int W, class Count, class Entry>
 FIXDEM_INLINE void sum_rows(
-    const std::size_t* own_rows, const RingRows<Case>& ring,
+    Count k, Entry&& entry, const RingRows<Case>& ring,
     Lanes<motion_step<Case, W>> (&change)[Particles<Case>::motion_width / motion_step<Case, W>]) {
   constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
   using Sum = RowSum<width, contact_lanes<Case, W>, Real<Case>>;
@@ -83,8 +83,8 @@ FIXDEM_INLINE void sum_rows(
                FIXDEM_INLINE_LAMBDA { return incoming_part<Case, V>(row, torque, p); };
   };
   Sum own{}, incoming{};
-  if constexpr (k > 0) own.start(own_at(own_rows[0])), incoming.start(incoming_at(own_rows[k]));
-  for (int s = 1; s < k; ++s) own.add(own_at(own_rows[s])), incoming.add(incoming_at(own_rows[k + s]));
+  if (k > 0) own.start(own_at(entry(0))), incoming.start(incoming_at(entry(k)));
+  for (int s = 1; s < k; ++s) own.add(own_at(entry(s))), incoming.add(incoming_at(entry(k + s)));
   for (int p = 0; p < Sum::parts; ++p)
     own.part[p] = fused(load<V>(incoming_sign<Real<Case>> + p * Sum::step), incoming.part[p], own.part[p]);
   if constexpr (is_mixed<Case>) {
@@ -93,6 +93,17 @@ FIXDEM_INLINE void sum_rows(
     for (int p = 0; p < width / step; ++p) change[p] = load_wide<step>(sum + p * step);
   } else {
     for (int p = 0; p < width / step; ++p) change[p] = own.part[p];
+  }
+}
+
+/// The time step for the columns of a position from `column` on; none for a pad that holds something.
+template <class V, class Case>
+FIXDEM_INLINE V time_step_of([[maybe_unused]] int column) {
+  if constexpr (has_sizes<Case>) {
+    alignas(64) static constexpr double steps[4] = {Case::time_step, Case::time_step, Case::time_step, 0};
+    return load<V>(steps + column);
+  } else {
+    return splat<V>(Case::time_step);
   }
 }
 
@@ -119,11 +130,13 @@ FIXDEM_INLINE void move_particle(
   alignas(64) static constexpr double inertia[8] = {1, 1, 1, 1, 2.5, 2.5, 2.5, 2.5};  // r^2 m / I
 
   double* const motion = row_at<width>(particles.motion[base], offset);
+  [[maybe_unused]] const V per_mass = splat<V>(has_sizes<Case> ? motion[3] : 1);  // m_0/m
   double* const position = row_at<4>(particles.position[base], offset);
   for (int p = 0; p < width / step; ++p) {
     const int column = p * step;
     const bool translates = column < 4;  // a part of rotation alone feels neither gravity nor gas
     V kick = change[p];
+    if constexpr (has_sizes<Case>) kick = per_mass * kick;
     if (translates) kick = kick + load<V>(gravity_kick + column);
     [[maybe_unused]] V gas{};
     if constexpr (Case::has_gas) {
@@ -132,7 +145,7 @@ FIXDEM_INLINE void move_particle(
         gas = __builtin_shufflevector(load<Half>(by_gas), -Half{}, 0, 1, 2, 3, 4, 5, 6, 7);
       else if (translates)
         gas = load<V>(by_gas + column);
-      if (translates) kick = kick + gas;
+      if (translates) kick = has_sizes<Case> ? fused(per_mass, gas, kick) : kick + gas;
     }
     const V moved = fused(load<V>(inertia + column), kick, load<V>(motion + column));
     store(motion + column, moved);
@@ -146,9 +159,9 @@ FIXDEM_INLINE void move_particle(
     monitor.square_sum.part[p] = square + monitor.square_sum.part[p];
     if constexpr (step == 8) {
       const Half velocity = __builtin_shufflevector(moved, moved, 0, 1, 2, 3);
-      store(position, fused(velocity, splat<Half>(Case::time_step), load<Half>(position)));
+      store(position, fused(velocity, time_step_of<Half, Case>(0), load<Half>(position)));
     } else if (translates) {
-      store(position + column, fused(moved, splat<V>(Case::time_step), load<V>(position + column)));
+      store(position + column, fused(moved, time_step_of<V, Case>(column), load<V>(position + column)));
     }
     if constexpr (Particles<Case>::predicts) {
       double* const last_kick = row_at<4>(particles.last_kick.row[base], offset);
@@ -187,18 +200,39 @@ FIXDEM_INLINE const Offset* move_bucket(const Offset* entry, int particles_in_bu
   for (int q = 0; q < particles_in_bucket; ++q, entry += 2 * k + 1) {
     Lanes<step> change[width / step];
     const Offsets<2 * k + 1> at = load_offsets<2 * k + 1>(entry);
-    sum_rows<Case, W, k>(at.value + 1, rows, change);
+    const auto row = [&](int s) FIXDEM_INLINE_LAMBDA { return at.value[1 + s]; };
+    sum_rows<Case, W>(std::integral_constant<int, k>{}, row, rows, change);
     if (sum != nullptr) take_sum<Case, W>(row_at<width>(sum, at.value[0]), change);
     move_particle<Case, W>(at.value[0], change, base, particles, monitor);
   }
   return entry;
 }
 
+/// Rows of a particle up to which each number of them has a loop of its own: no equal spheres have more.
+inline constexpr int loops_of_their_own = 16;
+
+/// Moves those that have more.
+template <class Case, int W, class Offset>
+void move_long_buckets(const Offset* entry, const int* bucket, int base, const RingRows<Case>& rows, Real<Case>* sum,
+                       Particles<Case>& particles, MotionMonitor<Case, W>& monitor) {
+  constexpr int width = Particles<Case>::motion_width, step = motion_step<Case, W>;
+  for (int k = loops_of_their_own + 1; k <= Contacts<Case>::max_slots; ++k)
+    for (int q = 0; q < bucket[k]; ++q, entry += 2 * k + 1) {
+      Lanes<step> change[width / step];
+      sum_rows<Case, W>(
+          k, [&](int s) FIXDEM_INLINE_LAMBDA { return std::size_t{entry[1 + s]}; }, rows, change);
+      if (sum != nullptr) take_sum<Case, W>(row_at<width>(sum, entry[0]), change);
+      move_particle<Case, W>(entry[0], change, base, particles, monitor);
+    }
+}
+
 template <class Case, int W, int k, class Offset>
 FIXDEM_INLINE void move_buckets_from(const Offset* entry, const int* bucket, int base, const RingRows<Case>& rows,
                                      Real<Case>* sum, Particles<Case>& particles, MotionMonitor<Case, W>& monitor) {
   entry = move_bucket<Case, W, k>(entry, bucket[k], base, rows, sum, particles, monitor);
-  if constexpr (k < Contacts<Case>::max_slots)
+  if constexpr (k == loops_of_their_own && k < Contacts<Case>::max_slots)
+    move_long_buckets<Case, W>(entry, bucket, base, rows, sum, particles, monitor);
+  else if constexpr (k < Contacts<Case>::max_slots)
     move_buckets_from<Case, W, k + 1>(entry, bucket, base, rows, sum, particles, monitor);
 }
 

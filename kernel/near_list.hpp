@@ -12,7 +12,7 @@
 // neither on how a run is cut into pieces nor on the order in which chunks are computed.
 #pragma once
 
-#include "outer_list.hpp"
+#include "outer_search.hpp"
 
 namespace fixdem {
 
@@ -52,8 +52,8 @@ struct NearList {
   /// is half a unit in the last place (turning_square). In a step two particles move by twice the bound on the speed at
   /// most, over the distance of their centres, or one over its distance from the axis; a factor of four is left.
   static bool is_still(const VelocityBox& box) {
-    constexpr double reach = D::pipe_radius - D::radius;
-    constexpr double lever = Case::has_wall && reach < Case::diameter ? reach : Case::diameter;
+    constexpr double reach = D::pipe_radius - D::largest_radius, d = smallest_diameter<Case>;
+    constexpr double lever = Case::has_wall && reach < d ? reach : d;
     constexpr double angle = is_mixed<Case> ? 0x1p-13 : 0x1p-27, limit = angle * lever / (8 * Case::time_step);
     return box.speed() < limit;
   }

@@ -82,7 +82,8 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
                                const Motion<double>& motion, const HistoryNumbers<const Real<Case>>& kept) {
   using Law = ContactLaw<Case, is_wall>;
   constexpr double to_newton = 1 / Law::scale;
-  const Springs<double> k = springs<Law, Case>(spring_base<Law, Case>(overlap));
+  const ContactBodies<Law, Case, double> bodies(motion);
+  const Springs<double> k = springs<Law, Case>(spring_base<Law, Case>(overlap, bodies), bodies);
   const Vec3<double> surface = add_cross(motion.velocity, motion.spin, n);
   const double normal_velocity = dot(motion.velocity, n);
   Observed<Case> seen{};
@@ -110,10 +111,29 @@ Observed<Case> observe_contact(int owner, int partner, double overlap, const Vec
   return seen;
 }
 
+/// Of one particle: also its motion relative to a wall.
 template <class Case>
 Motion<double> motion_of(const Particles<Case>& p, int i) {
   Motion<double> m{{p.motion[i][0], p.motion[i][1], p.motion[i][2]}, {}};
   if constexpr (Derived<Case>::has_rotation) m.spin = {p.motion[i][4], p.motion[i][5], p.motion[i][6]};
+  m.rolling = scale(-1.0, m.spin);
+  if constexpr (has_sizes<Case>) {
+    m.inverse_mass = m.owner_inverse_mass = p.motion[i][3];
+    m.inverse_radius = m.owner_inverse_radius = p.motion[i][7];
+  }
+  return m;
+}
+
+/// Relative motion of two particles (rows.hpp).
+template <class Case>
+Motion<double> motion_of_pair(const Particles<Case>& p, int i, int j) {
+  const Motion<double> a = motion_of(p, i), b = motion_of(p, j);
+  Motion<double> m = a;  // the owner's own values stay
+  m.velocity = {a.velocity.x - b.velocity.x, a.velocity.y - b.velocity.y, a.velocity.z - b.velocity.z};
+  m.spin = {a.spin.x + b.spin.x, a.spin.y + b.spin.y, a.spin.z + b.spin.z};
+  m.inverse_mass += b.inverse_mass, m.inverse_radius += b.inverse_radius;
+  const double own = has_sizes<Case> ? a.inverse_radius / m.inverse_radius : 0.5;
+  m.rolling = subtract_scaled(scale(1 - own, b.spin), own, a.spin);
   return m;
 }
 
@@ -128,13 +148,9 @@ void for_each_observed(const State<Case>& s, F&& f) {
     if constexpr (Derived<Case>::is_periodic)
       if (range == Capacity<Case>::chunks) r.z -= Case::pipe_length;
     const double distance = sqrt(dot(r, r));
-    const double overlap = Case::diameter - distance;
+    const double overlap = radius_at<Case>(p.position[i]) + radius_at<Case>(p.position[j]) - distance;
     if (!(overlap > 0)) return;
-    const Motion<double> a = motion_of(p, i), b = motion_of(p, j);
-    const Motion<double> m = {{a.velocity.x - b.velocity.x, a.velocity.y - b.velocity.y, a.velocity.z - b.velocity.z},
-                              {a.spin.x + b.spin.x, a.spin.y + b.spin.y, a.spin.z + b.spin.z},
-                              scale(0.5, Vec3<double>{b.spin.x - a.spin.x, b.spin.y - a.spin.y, b.spin.z - a.spin.z})};
-    f(observe_contact<Case, false>(p.id[i], p.id[j], overlap, scale(1 / distance, r), m,
+    f(observe_contact<Case, false>(p.id[i], p.id[j], overlap, scale(1 / distance, r), motion_of_pair(p, i, j),
                                    contacts.pairs.history_of(range, k)));
   });
   for_each_wall(contacts, [&](const auto& walls) {
@@ -142,9 +158,8 @@ void for_each_observed(const State<Case>& s, F&& f) {
       Vec3<double> n;
       const double overlap = walls.surface.overlap(p.position[i], n);
       if (!(overlap > 0)) return;
-      Motion<double> m = motion_of(p, i);
-      m.rolling = scale(-1.0, m.spin);
-      f(observe_contact<Case, true>(p.id[i], walls.surface.partner(n), overlap, n, m, walls.history_of(chunk, k)));
+      f(observe_contact<Case, true>(p.id[i], walls.surface.partner(n), overlap, n, motion_of(p, i),
+                                    walls.history_of(chunk, k)));
     });
   });
 }
@@ -171,8 +186,9 @@ Observation observe(const State<Case>& s) {
   for (int i = 0; i < Case::particle_count; ++i) {
     const Motion<double> m = detail::motion_of(s.particles, i);
     const double square = dot(m.velocity, m.velocity);
-    seen.kinetic_translation += 0.5 * D::mass * square;
-    seen.kinetic_rotation += 0.5 * 0.4 * D::mass * dot(m.spin, m.spin);
+    const double mass = D::reference_mass * share_of_mass(s.particles, i);
+    seen.kinetic_translation += 0.5 * mass * square;
+    seen.kinetic_rotation += 0.5 * 0.4 * mass * dot(m.spin, m.spin);
     seen.max_speed = max(sqrt(square), seen.max_speed);
     seen.mean_axial_velocity += m.velocity.z / Case::particle_count;
     seen.mean_height += (s.particles.position[i][1] + D::pipe_radius) / Case::particle_count;
@@ -199,13 +215,13 @@ Energy energy_without_gravity(const State<Case>& s) {
   if constexpr (Case::energy_ledger) {
     for (const StepMonitor<Case>& monitor : s.monitor) {
       const auto work = [&](LedgerEntry entry) {
-        return D::mass / Case::time_step * sum_of(monitor.ledger.entry[entry]);
+        return D::reference_mass / Case::time_step * sum_of(monitor.ledger.entry[entry]);
       };
-      e.dissipated_damping += D::mass * sum_of(monitor.ledger.entry[damping_power]);
+      e.dissipated_damping += D::reference_mass * sum_of(monitor.ledger.entry[damping_power]);
       e.dissipated_sliding += work(sliding_work);
       e.made_by_law += work(law_work);
       if constexpr (D::has_rolling) e.dissipated_rolling += work(rolling_work);
-      e.gas_work += D::mass * sum_of(monitor.ledger.gas_work);
+      e.gas_work += D::reference_mass * sum_of(monitor.ledger.gas_work);
     }
   }
   return e;

@@ -1,8 +1,8 @@
 // Pairs of spheres: the side of the contact loop that knows two particles.
 //
-// Overlap is d - |x_j - x_i|, the normal points from owner to partner. In double the root is taken of the square of the
-// distance. In mixed precision the difference d^2 - |x_j - x_i|^2 is formed in double and narrowed: from it overlap and
-// distance follow in floats without cancellation, overlap = (d^2 - q^2) / (d + q).
+// Overlap is d - |x_j - x_i| with d = r_i + r_j, the normal points from owner to partner. In double the root is taken
+// of the square of the distance. In mixed precision the difference d^2 - |x_j - x_i|^2 is formed in double and
+// narrowed: from it overlap and distance follow in floats without cancellation, overlap = (d^2 - q^2) / (d + q).
 #pragma once
 
 #include "sparse_contacts.hpp"
@@ -13,7 +13,6 @@ template <class Case>
 struct PairSide {
   using Law = ContactLaw<Case, false>;
   using R = Real<Case>;
-  static constexpr double d = Case::diameter;
   static constexpr bool is_flat = false;  ///< normals have three components
 
   const double *owner_position, *partner_position;
@@ -40,10 +39,9 @@ struct PairSide {
   FIXDEM_INLINE Separation<Lanes<W, R>> separation(const Offset* owner, const Offset* partner) const {
     const auto part = [&](auto width, int lane) FIXDEM_INLINE_LAMBDA {
       constexpr int w = decltype(width)::value;
-      Vec3<Lanes<w>> r = load_differences<w>(partner_position, partner + lane, owner_position, owner + lane);
-      r.z = r.z + shift;
-      const Lanes<w> square = dot(r, r);
-      return Separation<Lanes<w>>{r, is_mixed<Case> ? d * d - square : square};
+      const Separation<Lanes<w>> s =
+          separation_of_pairs<Case, w>(partner_position, partner + lane, owner_position, owner + lane, shift);
+      return is_mixed<Case> ? Separation<Lanes<w>>{s.separation, reach_square(s) - s.gap_square, s.reach} : s;
     };
     if constexpr (is_mixed<Case>)
       return narrowed<W>(part);
@@ -56,39 +54,39 @@ struct PairSide {
     if constexpr (is_mixed<Case>)
       return bits_below(V{}, s.gap_square);
     else
-      return bits_below(s.gap_square, splat<V>(d * d));
+      return bits_below(s.gap_square, reach_square(s));
   }
 
   static constexpr bool has_root = true, needs_gap_square = is_mixed<Case>;
   static constexpr bool has_partner_torques = fixdem::has_partner_torques<Case>;
   /// Distance.
   template <class V>
-  FIXDEM_INLINE V root(V gap_square) const {
+  FIXDEM_INLINE V root(const Separation<V>& s) const {
     if constexpr (is_mixed<Case>)
-      return sqrt(constant<V>(d * d) - gap_square);
+      return sqrt(reach_square(s) - s.gap_square);
     else
-      return sqrt(gap_square);
+      return sqrt(s.gap_square);
   }
   /// Overlap, negative in lanes without contact, and normal.
   template <class V>
   FIXDEM_INLINE V resolve(const Separation<V>& s, V distance, Vec3<V>& n) const {
     if constexpr (is_mixed<Case>) {
-      const V sum = distance + constant<V>(d);
+      const V sum = distance + reach(s);
       const V inverse = constant<V>(1) / (distance * sum);
       n = scale(inverse * sum, s.separation);
       return s.gap_square * inverse * distance;
     } else {
       n = scale(1.0 / distance, s.separation);
-      return splat<V>(d) - distance;
+      return reach(s) - distance;
     }
   }
 
   template <int W, class Offset>
   FIXDEM_INLINE Motion<Lanes<W, R>> motion(const Offset* owner, const Offset* partner) const {
     if constexpr (Law::has_rolling)
-      return load_rolling_of_pairs<W>(owner_motion, owner, partner_motion, partner);
-    else if constexpr (Derived<Case>::has_rotation)
-      return load_motion_of_pairs<W>(owner_motion, owner, partner_motion, partner);
+      return load_rolling_of_pairs<W, has_sizes<Case>>(owner_motion, owner, partner_motion, partner);
+    else if constexpr (Particles<Case>::motion_width == 8)
+      return load_motion_of_pairs<W, has_sizes<Case>>(owner_motion, owner, partner_motion, partner);
     else
       return {load_differences<W>(owner_motion, owner, partner_motion, partner), Vec3<Lanes<W, R>>{}};
   }
@@ -105,6 +103,23 @@ struct PairSide {
       return narrowed<W>(part).separation;
     else
       return part(std::integral_constant<int, W>{}, 0).separation;
+  }
+
+ private:
+  /// Distance at which centres touch, and its square.
+  template <class V>
+  static FIXDEM_INLINE V reach(const Separation<V>& s) {
+    if constexpr (has_sizes<Case>)
+      return s.reach;
+    else
+      return splat<V>(Case::diameter);
+  }
+  template <class V>
+  static FIXDEM_INLINE V reach_square(const Separation<V>& s) {
+    if constexpr (has_sizes<Case>)
+      return s.reach * s.reach;
+    else
+      return splat<V>(Case::diameter * Case::diameter);
   }
 };
 

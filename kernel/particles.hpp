@@ -6,6 +6,9 @@
 // leapfrog, positions are held half a step ahead of velocities, and the last change of velocity is kept for prediction
 // (with impulses the contacts keep what they need of the last step themselves).
 // In mixed precision contacts look up a copy of the motion in floats.
+//
+// With several sizes the pads hold what a particle is: the radius in its position's, m_0/m and r_0/r in its motion's,
+// m_0 and r_0 being those of the sphere of reference (case.hpp). Otherwise they are zero.
 #pragma once
 
 #include "coupling.hpp"
@@ -18,6 +21,15 @@ struct Particle {
   double velocity[3];          ///< m/s
   double angular_velocity[3];  ///< rad/s
 };
+
+/// Radius of the sphere of a row of positions, m.
+template <class Case>
+double radius_at([[maybe_unused]] const double* row) {
+  if constexpr (has_sizes<Case>)
+    return row[3];
+  else
+    return Derived<Case>::reference_radius;
+}
 
 namespace detail {
 template <int Count, bool present>
@@ -39,7 +51,7 @@ template <class Case>
 struct Particles {
   using D = Derived<Case>;
   static constexpr int count = Case::particle_count;
-  static constexpr int motion_width = D::has_rotation ? 8 : 4;
+  static constexpr int motion_width = D::has_rotation || has_sizes<Case> ? 8 : 4;
   static constexpr bool predicts = Case::integrator == Integrator::leapfrog;
 
   alignas(64) double position[count][4];
@@ -64,5 +76,35 @@ struct Particles {
       for (int c = 0; c < motion_width; ++c) motion_as_float.row[i][c] = static_cast<float>(motion[i][c]);
   }
 };
+
+/// Mass of the particle of a row in units of the mass of reference.
+template <class Case>
+double share_of_mass(const Particles<Case>& p, int i) {
+  if constexpr (has_sizes<Case>)
+    return 1 / p.motion[i][3];
+  else
+    return 1;
+}
+
+/// Fills the pads of a row by what particle `id` is.
+template <class Case>
+void set_size(Particles<Case>& p, int row, int id) {
+  using D = Derived<Case>;
+  p.position[row][3] = radius_of<Case>(id);
+  p.motion[row][3] = D::reference_mass / mass_of<Case>(id);
+  p.motion[row][7] = D::reference_radius / radius_of<Case>(id);
+}
+
+/// Whether the pads of a row are those of its particle.
+template <class Case>
+bool has_its_size(const Particles<Case>& p, int row) {
+  using D = Derived<Case>;
+  if constexpr (has_sizes<Case>)
+    return p.position[row][3] == radius_of<Case>(p.id[row]) &&
+           p.motion[row][3] == D::reference_mass / mass_of<Case>(p.id[row]) &&
+           p.motion[row][7] == D::reference_radius / radius_of<Case>(p.id[row]);
+  else
+    return true;
+}
 
 }  // namespace fixdem

@@ -10,9 +10,16 @@ namespace fixdem {
 template <class Case>
 struct Checked {
   static_assert(Case::particle_count >= 1, "fixdem: [particles] count must be at least 1");
-  static_assert(Case::diameter > 0 && Case::density > 0, "fixdem: [particles] diameter and density must be positive");
-  static_assert(Case::diameter < Case::pipe_diameter,
+  static_assert(smallest_diameter<Case> > 0 && Derived<Case>::reference_mass > 0,
+                "fixdem: [particles] diameter and density must be positive");
+  static_assert(largest_diameter<Case> < Case::pipe_diameter,
                 "fixdem: the particle is wider than the pipe: lower [particles] diameter or raise [pipe] diameter");
+  static_assert(largest_diameter<Case> <= 10 * smallest_diameter<Case>,
+                "fixdem: the largest diameter must be at most 10 times the smallest");
+  static_assert(particles_in_sizes<Case>() == Case::particle_count,
+                "fixdem: the counts of sizes must add up to particle_count");
+  static_assert(!has_sizes<Case> || Case::damping_mass == DampingMass::reduced,
+                "fixdem: [contact] damping_mass = \"particle\" needs one size of particles: use \"reduced\"");
   static_assert(Case::restitution > 0 && Case::restitution <= 1,
                 "fixdem: [material] restitution must be above 0 and at most 1");
   static_assert(Case::friction >= 0, "fixdem: [material] friction must not be negative");
@@ -55,17 +62,17 @@ struct Checked {
   static_assert(Case::integrator != Integrator::impulse || Case::slider != Slider::paper,
                 "fixdem: integrator = \"impulse\" needs slider = \"exact\" or \"clip\": with \"paper\" impacts do not "
                 "converge, so nothing would be gained");
-  static_assert(Case::ends != Ends::periodic || Case::pipe_length >= 4 * Case::diameter,
+  static_assert(Case::ends != Ends::periodic || Case::pipe_length >= 4 * largest_diameter<Case>,
                 "fixdem: a periodic pipe must be at least 4 particle diameters long: raise [pipe] length");
-  static_assert(Case::ends != Ends::closed || Case::pipe_length >= 2 * Case::diameter,
+  static_assert(Case::ends != Ends::closed || Case::pipe_length >= 2 * largest_diameter<Case>,
                 "fixdem: a closed pipe must be at least 2 particle diameters long: raise [pipe] length");
   static_assert(!Case::has_gas || Case::has_wall, "fixdem: the gas model needs the pipe wall: set [pipe] wall = true");
   static_assert(
       !Case::has_gas || gas_takes_gravity(Case::gravity, Case::particle_count > 1),
       "fixdem: the gas model takes the height of the bed along y: with gas, [run] gravity must be [0, -g, 0]");
   static_assert(Case::time_step > 0, "fixdem: [run] time_step must be positive");
-  static_assert(Case::neighbour_capacity >= 2 && Case::neighbour_capacity <= 30,
-                "fixdem: [capacity] neighbours must lie between 2 and 30");
+  static_assert(Case::neighbour_capacity >= 2 && Case::neighbour_capacity <= (has_sizes<Case> ? 160 : 30),
+                "fixdem: [capacity] neighbours must lie between 2 and 30, with several sizes 160");
   static constexpr bool ok = true;
 };
 

@@ -25,10 +25,11 @@ struct RollingStep {
 /// The rolling force, and its spring advanced. `gain` times w: growth of the spring; `before`: the spring in the last
 /// step, `friction`: scaled force of the contact on its owner, both for the ledger. With `reported`, lanes beyond the
 /// limit set `is_done` to false.
-template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Mask>
+template <class Law, class Case, SlidingLanes mode, class V, class Normal, class Mask, class Bodies>
 FIXDEM_INLINE RollingStep<V> roll(const TangentialSpring<V>& s, V gain, const Normal& n, const Vec3<V>& w,
-                                  V elastic_force, V stiffness, Mask touching, const LastSpring<V>& before,
-                                  [[maybe_unused]] const Vec3<V>& friction, Vec3<V>& kept, bool& is_done) {
+                                  [[maybe_unused]] const Bodies& bodies, V elastic_force, V stiffness, Mask touching,
+                                  const LastSpring<V>& before, [[maybe_unused]] const Vec3<V>& friction, Vec3<V>& kept,
+                                  bool& is_done) {
   const V limit = constant<V>(Law::rolling_friction) * elastic_force, limit_square = limit * limit;
   const Vec3<V> trial = stuck_spring<Case, mode>(s, gain, kept, n, w, V{});
   const V square = s.to_force * s.to_force * dot(trial, trial);
@@ -49,9 +50,9 @@ FIXDEM_INLINE RollingStep<V> roll(const TangentialSpring<V>& s, V gain, const No
     }
   }
   if constexpr (Case::energy_ledger) {
-    // w in the middle of the step, as far as this contact changes it. Between spheres friction turns both alike.
-    Vec3<V> mean = add_scaled(w, splat<V>(Law::bodies_of_rolling / 2), step.force);
-    if constexpr (Law::bodies == 1) mean = add_scaled(mean, splat<V>(Law::bodies_of_rolling / 2), friction);
+    // w in the middle of the step, as far as this contact changes it. Friction turns equal spheres alike.
+    Vec3<V> mean = add_scaled(w, bodies.half_rolling(), step.force);
+    if constexpr (Bodies::rolling_meets_friction) mean = add_scaled(mean, bodies.half_of_both(), friction);
     const Vec3<V> viscous = add_scaled(step.force, s.to_force, spring);
     step.work = fused(splat<V>(-Case::time_step), dot(viscous, mean), step.work);
     step.law_work = work_of_law<Case>(before, spring, stiffness, touching);
@@ -60,13 +61,13 @@ FIXDEM_INLINE RollingStep<V> roll(const TangentialSpring<V>& s, V gain, const No
   return step;
 }
 
-/// What the rolling force changes of the power that friction's dashpot takes: at a wall it changes the slip. `spring`:
-/// of friction.
-template <class Law, class Case, class V>
-FIXDEM_INLINE V damping_by_rolling(const TangentialSpring<V>& s, const Vec3<V>& friction, const Vec3<V>& spring,
-                                   const Vec3<V>& rolling_force) {
-  if constexpr (Law::bodies != 1) return V{};
-  return constant<V>(-Law::bodies_of_rolling / 2) * dot(add_scaled(friction, s.to_force, spring), rolling_force);
+/// What the rolling force changes of the power that friction's dashpot takes: at a wall, and between unequal spheres,
+/// it changes the slip. `spring`: of friction.
+template <class V, class Bodies>
+FIXDEM_INLINE V damping_by_rolling(const Bodies& bodies, const TangentialSpring<V>& s, const Vec3<V>& friction,
+                                   const Vec3<V>& spring, const Vec3<V>& rolling_force) {
+  if constexpr (!Bodies::rolling_meets_friction) return V{};
+  return -bodies.half_of_both() * dot(add_scaled(friction, s.to_force, spring), rolling_force);
 }
 
 }  // namespace fixdem

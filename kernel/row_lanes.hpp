@@ -1,6 +1,6 @@
 // Transposition between W rows of doubles and lanes.
 //
-// `columns(row)` takes rows of 4, `motions(row)` rows of 8, whose pads are dropped; `row(k, column)` yields the part of
+// `columns(row)` takes rows of 4, `motions(row)` rows of 8; `row(k, column)` yields the part of
 // row k that begins at that column, and `Part` (`MotionPart`) says how much of it: what fits a register, or one number
 // for one lane. `store_rows` writes row k from lane k. One specialisation for each width, present only where the
 // instruction set has it.
@@ -16,9 +16,12 @@ namespace fixdem {
 /// Translation and rotation of W particles, or their difference and sum.
 template <class V>
 struct Motion {
-  Vec3<V> velocity;   ///< m/s
-  Vec3<V> spin;       ///< radius times angular velocity, m/s
-  Vec3<V> rolling{};  ///< with rolling resistance: R*/r times partner's less own spin; n x this is eq. (47)
+  Vec3<V> velocity;  ///< m/s
+  Vec3<V> spin;      ///< radius times angular velocity, m/s
+  // With several sizes the pads (particles.hpp): m_0/m and r_0/r, sums over both bodies; with rolling the owner's, too.
+  V inverse_mass{}, inverse_radius{};
+  Vec3<V> rolling{};  ///< with rolling resistance: R*/r times spin, partner's less own; n x this is eq. (47)
+  V owner_inverse_mass{}, owner_inverse_radius{};
 };
 
 template <int W, class T = double>
@@ -40,8 +43,9 @@ struct MotionsByHalves : VectorRows<W, T> {
   template <class Row>
   static FIXDEM_INLINE Motion<Lanes<W, T>> motions(Row&& row) {
     using Rows = RowLanes<W, T>;
-    return {Rows::vectors(row),
-            Rows::vectors([&](int k, int column) FIXDEM_INLINE_LAMBDA { return row(k, column + 4); })};
+    const auto v = Rows::columns(row);
+    const auto s = Rows::columns([&](int k, int column) FIXDEM_INLINE_LAMBDA { return row(k, column + 4); });
+    return {{v.x, v.y, v.z}, {s.x, s.y, s.z}, v.w, s.w};
   }
 };
 
@@ -148,7 +152,7 @@ struct RowLanes<8> : VectorRows<8, double> {
             odd_blocks(high_a, high_b)};
   }
 
-  /// Eight rows of 8 into six vectors; the pads (columns 3 and 7) are dropped.
+  /// Eight rows of 8 into their columns.
   template <class Row>
   static FIXDEM_INLINE Motion<Lanes8> motions(Row&& row) {
     const Lanes8 r0 = row(0, 0), r1 = row(1, 0), r2 = row(2, 0), r3 = row(3, 0), r4 = row(4, 0), r5 = row(5, 0),
@@ -157,10 +161,14 @@ struct RowLanes<8> : VectorRows<8, double> {
     const Lanes8 low45 = low_of_pairs(r4, r5), low67 = low_of_pairs(r6, r7);
     const Lanes8 x_a = even_blocks(low01, low23), x_b = even_blocks(low45, low67);
     const Lanes8 z_a = odd_blocks(low01, low23), z_b = odd_blocks(low45, low67);
-    const Lanes8 y_a = even_blocks(high_of_pairs(r0, r1), high_of_pairs(r2, r3));
-    const Lanes8 y_b = even_blocks(high_of_pairs(r4, r5), high_of_pairs(r6, r7));
+    const Lanes8 high01 = high_of_pairs(r0, r1), high23 = high_of_pairs(r2, r3);
+    const Lanes8 high45 = high_of_pairs(r4, r5), high67 = high_of_pairs(r6, r7);
+    const Lanes8 y_a = even_blocks(high01, high23), y_b = even_blocks(high45, high67);
+    const Lanes8 w_a = odd_blocks(high01, high23), w_b = odd_blocks(high45, high67);
     return {{even_blocks(x_a, x_b), even_blocks(y_a, y_b), even_blocks(z_a, z_b)},
-            {odd_blocks(x_a, x_b), odd_blocks(y_a, y_b), odd_blocks(z_a, z_b)}};
+            {odd_blocks(x_a, x_b), odd_blocks(y_a, y_b), odd_blocks(z_a, z_b)},
+            even_blocks(w_a, w_b),
+            odd_blocks(w_a, w_b)};
   }
 
   static FIXDEM_INLINE void store_rows(double* rows, const Vec4<Lanes8>& a) {

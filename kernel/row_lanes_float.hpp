@@ -104,7 +104,9 @@ struct RowLanes<8, float> : VectorRows<8, float> {
     const Vec4<Floats8> a = FloatBlocks<8>::columns(row(0, 0), row(1, 0), row(2, 0), row(3, 0));
     const Vec4<Floats8> b = FloatBlocks<8>::columns(row(4, 0), row(5, 0), row(6, 0), row(7, 0));
     return {{first_blocks(a.x, b.x), first_blocks(a.y, b.y), first_blocks(a.z, b.z)},
-            {second_blocks(a.x, b.x), second_blocks(a.y, b.y), second_blocks(a.z, b.z)}};
+            {second_blocks(a.x, b.x), second_blocks(a.y, b.y), second_blocks(a.z, b.z)},
+            first_blocks(a.w, b.w),
+            second_blocks(a.w, b.w)};
   }
   static FIXDEM_INLINE void store_rows(float* rows, const Vec4<Floats8>& a) {
     const auto square = FloatBlocks<8>::rows(a);
@@ -154,7 +156,9 @@ struct RowLanes<16, float> : VectorRows<16, float> {
     const Vec4<Floats16> a = FloatBlocks<16>::columns(two(0), two(1), two(2), two(3));
     const Vec4<Floats16> b = FloatBlocks<16>::columns(two(8), two(9), two(10), two(11));
     return {{blocks<0, 2>(a.x, b.x), blocks<0, 2>(a.y, b.y), blocks<0, 2>(a.z, b.z)},
-            {blocks<1, 3>(a.x, b.x), blocks<1, 3>(a.y, b.y), blocks<1, 3>(a.z, b.z)}};
+            {blocks<1, 3>(a.x, b.x), blocks<1, 3>(a.y, b.y), blocks<1, 3>(a.z, b.z)},
+            blocks<0, 2>(a.w, b.w),
+            blocks<1, 3>(a.w, b.w)};
   }
   /// Rows 4 b to 4 b + 3 are block b of the four registers.
   static FIXDEM_INLINE void store_rows(float* rows, const Vec4<Floats16>& a) {

@@ -107,6 +107,29 @@ FIXDEM_INLINE Vec3<Lanes<W, T>> load_differences(const T* rows_a, const Offset* 
     });
 }
 
+/// By what row b counts beside row a for the relative motion of two spheres: translation less, but spins and pads more
+/// (with several sizes pads hold what adds up: radii, or their inverses and those of masses).
+template <class T>
+alignas(64) inline constexpr T relative_sign[8] = {-1, -1, -1, 1, 1, 1, 1, 1};
+
+/// Places a - b of two sets of rows of 4, and the sum of their pads.
+template <int W, class T, class Offset>
+FIXDEM_INLINE Vec4<Lanes<W, T>> load_separations(const T* rows_a, const Offset* a, const T* rows_b, const Offset* b) {
+  using Rows = RowLanes<W, T>;
+  using Part = typename Rows::Part;
+  if constexpr (joins_rows<W, T>)
+    return Rows::columns([&](int k, int l) FIXDEM_INLINE_LAMBDA {
+      return fused(joined<Lanes<8, T>>(relative_sign<T>, relative_sign<T>),
+                   Rows::two(row_at<4>(rows_b, b[k]), row_at<4>(rows_b, b[l])),
+                   Rows::two(row_at<4>(rows_a, a[k]), row_at<4>(rows_a, a[l])));
+    });
+  else
+    return Rows::columns([&](int k, int column) FIXDEM_INLINE_LAMBDA {
+      return fused(load<Part>(relative_sign<T> + column), load<Part>(row_at<4>(rows_b, b[k]) + column),
+                   load<Part>(row_at<4>(rows_a, a[k]) + column));
+    });
+}
+
 /// Motion of the rows `offset` of an array with rows of 8.
 template <int W, class T, class Offset>
 FIXDEM_INLINE Motion<Lanes<W, T>> load_motion(const T* rows, const Offset* offset) {
@@ -116,15 +139,18 @@ FIXDEM_INLINE Motion<Lanes<W, T>> load_motion(const T* rows, const Offset* offse
   });
 }
 
-/// Velocity a - b and spin a + b of two sets of rows of 8: what the surface velocity of a contact is made of.
-template <int W, class T, class Offset>
+/// Velocity a - b and spin a + b of two sets of rows of 8: what the surface velocity of a contact is made of. With
+/// `sums_pads` the sums of their pads, too; without them what is there instead does not count.
+template <int W, bool sums_pads, class T, class Offset>
 FIXDEM_INLINE Motion<Lanes<W, T>> load_motion_of_pairs(const T* rows_a, const Offset* a, const T* rows_b,
                                                        const Offset* b) {
   using Rows = RowLanes<W, T>;
   using Part = typename Rows::MotionPart;
   return Rows::motions([&](int k, int column) FIXDEM_INLINE_LAMBDA {
     const Part p = load<Part>(row_at<8>(rows_a, a[k]) + column), q = load<Part>(row_at<8>(rows_b, b[k]) + column);
-    if constexpr (sizeof(Part) == 8 * sizeof(T))
+    if constexpr (sums_pads)
+      return fused(load<Part>(relative_sign<T> + column), q, p);
+    else if constexpr (sizeof(Part) == 8 * sizeof(T))
       return fused(Part{-1, -1, -1, -1, 1, 1, 1, 1}, q, p);  // the whole row at once, rounded as a sum is
     else
       return column < 4 ? p - q : p + q;
@@ -132,14 +158,26 @@ FIXDEM_INLINE Motion<Lanes<W, T>> load_motion_of_pairs(const T* rows_a, const Of
 }
 
 /// The same, and half of spin b - a: with rolling resistance. Three transpositions of 4 columns instead of one of 8.
-template <int W, class T, class Offset>
+/// With several sizes it is R*/r of each, which takes the pads of each: four transpositions.
+template <int W, bool sums_pads, class T, class Offset>
 FIXDEM_INLINE Motion<Lanes<W, T>> load_rolling_of_pairs(const T* rows_a, const Offset* a, const T* rows_b,
                                                         const Offset* b) {
   using V = Lanes<W, T>;
+  if constexpr (sums_pads) {
+    const Motion<V> p = load_motion<W>(rows_a, a), q = load_motion<W>(rows_b, b);
+    Motion<V> m{};
+    m.velocity = {p.velocity.x - q.velocity.x, p.velocity.y - q.velocity.y, p.velocity.z - q.velocity.z};
+    m.spin = {p.spin.x + q.spin.x, p.spin.y + q.spin.y, p.spin.z + q.spin.z};
+    m.inverse_mass = p.inverse_mass + q.inverse_mass, m.inverse_radius = p.inverse_radius + q.inverse_radius;
+    m.owner_inverse_mass = p.inverse_mass, m.owner_inverse_radius = p.inverse_radius;
+    const V own = p.inverse_radius / m.inverse_radius, others = splat<V>(1) - own;
+    m.rolling = subtract_scaled(scale(others, q.spin), own, p.spin);
+    return m;
+  }
   const Vec3<V> p = load_vectors<W, 8>(rows_a + 4, a), q = load_vectors<W, 8>(rows_b + 4, b);
-  return {load_differences<W, 8>(rows_a, a, rows_b, b),
-          {p.x + q.x, p.y + q.y, p.z + q.z},
-          scale(splat<V>(0.5), Vec3<V>{q.x - p.x, q.y - p.y, q.z - p.z})};
+  Motion<V> m{load_differences<W, 8>(rows_a, a, rows_b, b), {p.x + q.x, p.y + q.y, p.z + q.z}};
+  m.rolling = scale(splat<V>(0.5), Vec3<V>{q.x - p.x, q.y - p.y, q.z - p.z});
+  return m;
 }
 
 }  // namespace fixdem

@@ -41,9 +41,10 @@ struct ContactStep {
 
 /// The tangential force of eqs. (7)-(12) where the slider acts; of the result only that counts, and the spring it
 /// leaves. `limit`: mu |f_n|; `last_limit`, `last_force`: of the spring in the last step.
-template <class Law, class Case, class V>
-FIXDEM_INLINE ContactStep<V> slider(const TangentialSpring<V>& s, const Vec3<V>& trial, const Slip<V>& slip, V limit,
-                                    [[maybe_unused]] V last_limit, [[maybe_unused]] const Vec3<V>& last_force) {
+template <class Case, class V, class Bodies>
+FIXDEM_INLINE ContactStep<V> slider([[maybe_unused]] const Bodies& bodies, const TangentialSpring<V>& s,
+                                    const Vec3<V>& trial, const Slip<V>& slip, V limit, [[maybe_unused]] V last_limit,
+                                    [[maybe_unused]] const Vec3<V>& last_force) {
   ContactStep<V> t{};
   if constexpr (Case::slider != Slider::paper) {
     if constexpr (Case::slider == Slider::exact) {
@@ -70,7 +71,7 @@ FIXDEM_INLINE ContactStep<V> slider(const TangentialSpring<V>& s, const Vec3<V>&
   }
   if constexpr (Case::energy_ledger) {
     const Vec3<V> viscous = add_scaled(t.force, s.to_force, t.spring);  // what is not the spring's
-    t.damping_power = -dot(viscous, add_scaled(slip.present, splat<V>(Law::bodies_of_slip / 2), t.force));
+    t.damping_power = -dot(viscous, add_scaled(slip.present, bodies.count(1.75), t.force));
     const Vec3<V> slid = {trial.x - t.spring.x, trial.y - t.spring.y, trial.z - t.spring.z};
     t.sliding_work = dot(add_scaled(last_force, s.to_force, t.spring), slid) *
                      (constant<V>(Case::time_step / 2) / s.gain);  // mean of both forces times displacement
@@ -87,12 +88,12 @@ FIXDEM_INLINE V friction_limit(V normal_force, V elastic_force) {
 
 /// A contact step with the lanes replaced that slide. `stuck`: of all lanes as if they stuck; `normal_power`: of the
 /// normal damping, for the ledger.
-template <class Law, class Case, class V, class Normal, class Mask>
-FIXDEM_INLINE ContactStep<V> slide(ContactStep<V> stuck, Mask slides, const TangentialSpring<V>& s, const Slip<V>& slip,
-                                   const Normal& n, V normal_force, V elastic_force, V normal_power, V last_limit,
-                                   const Vec3<V>& last_force) {
-  const ContactStep<V> slid = slider<Law, Case>(
-      s, stuck.spring, slip, friction_limit<Law, Case>(normal_force, elastic_force), last_limit, last_force);
+template <class Law, class Case, class V, class Normal, class Mask, class Bodies>
+FIXDEM_INLINE ContactStep<V> slide(const Bodies& bodies, ContactStep<V> stuck, Mask slides,
+                                   const TangentialSpring<V>& s, const Slip<V>& slip, const Normal& n, V normal_force,
+                                   V elastic_force, V normal_power, V last_limit, const Vec3<V>& last_force) {
+  const ContactStep<V> slid = slider<Case>(
+      bodies, s, stuck.spring, slip, friction_limit<Law, Case>(normal_force, elastic_force), last_limit, last_force);
   stuck.force = select(slides, subtract_scaled(slid.force, normal_force, n), stuck.force);
   stuck.spring = select(slides, slid.spring, stuck.spring);
   if constexpr (Case::slider == Slider::exact) stuck.last_limit = where(slides, slid.last_limit);

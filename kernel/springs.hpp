@@ -1,8 +1,7 @@
 // Stiffness and damping of a contact at its present overlap: eqs. (15)-(22), (26)-(31); scaled as in contact_law.hpp.
 #pragma once
 
-#include "case.hpp"
-#include "lanes.hpp"
+#include "contact_bodies.hpp"
 
 namespace fixdem {
 
@@ -20,11 +19,11 @@ struct SpringBase {
   V repulsion, root;
 };
 
-/// From the overlap [m]; zero where there is none.
-template <class Law, class Case, class V>
-FIXDEM_INLINE SpringBase<V> spring_base(V overlap) {
+/// From the overlap [m]; zero where there is none. With several sizes the root is that of overlap times R*/r_0.
+template <class Law, class Case, class V, class Bodies>
+FIXDEM_INLINE SpringBase<V> spring_base(V overlap, const Bodies& bodies) {
   if constexpr (Derived<Case>::is_hertz) {
-    const V root = sqrt(overlap);
+    const V root = sqrt(bodies.times_radius(overlap));
     return {constant<V>(Law::stiffness) * overlap * root, root};
   } else {
     return {constant<V>(Law::stiffness) * overlap, where(overlap > V{}, splat<V>(1.0))};
@@ -32,11 +31,12 @@ FIXDEM_INLINE SpringBase<V> spring_base(V overlap) {
 }
 
 /// Stiffness and damping; zero where there is no overlap.
-template <class Law, class Case, class V>
-FIXDEM_INLINE Springs<V> springs(const SpringBase<V>& base) {
+template <class Law, class Case, class V, class Bodies>
+FIXDEM_INLINE Springs<V> springs(const SpringBase<V>& base, const Bodies& bodies) {
   const V root = base.root;
-  if constexpr (Derived<Case>::is_hertz)
-    return {base.repulsion, constant<V>(Law::damping) * sqrt(root), constant<V>(Law::tangential_stiffness) * root};
+  if constexpr (Derived<Case>::is_hertz || has_sizes<Case>)
+    return {base.repulsion, constant<V>(Law::damping) * sqrt(bodies.times_mass(root)),
+            constant<V>(Law::tangential_stiffness) * root};
   else
     return {base.repulsion, constant<V>(Law::damping) * root, constant<V>(Law::tangential_stiffness) * root};
 }

@@ -64,7 +64,8 @@ Status find_culprit(const State<Case>& s, int chunk, Fault fault, double limit) 
       if (!(square - square == 0)) return {fault, p.id[i], 0, square, limit};
       continue;
     }
-    const double travel = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * Case::time_step / Derived<Case>::radius;
+    const double travel =
+        sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * Case::time_step / Derived<Case>::smallest_radius;
     if (worst.particle < 0 || travel > worst.value) worst.particle = p.id[i], worst.value = travel;
   }
   return worst;
@@ -75,7 +76,7 @@ Status find_culprit(const State<Case>& s, int chunk, Fault fault, double limit) 
 /// Overlap of a range at the beginning of the step; whose it is is left to be named by the caller (observe.hpp).
 template <class Case>
 Status check_overlap(State<Case>& s, int range) {
-  const double deepest = maximum_of(s.monitor[range].overlap), overlap = deepest / Derived<Case>::radius;
+  const double deepest = maximum_of(s.monitor[range].overlap), overlap = deepest / Derived<Case>::smallest_radius;
   if (deepest > s.deepest) s.deepest = deepest;
   if (!(overlap <= Case::max_overlap)) return {Fault::overlap, -1, 0, overlap, Case::max_overlap};
   return {};
@@ -84,7 +85,7 @@ Status check_overlap(State<Case>& s, int range) {
 /// Checks of a chunk that has just moved: not too deep, finite, not too fast, still in order.
 template <class Case>
 Status check_chunk(State<Case>& s, int chunk, long long step) {
-  const double radius = Derived<Case>::radius;
+  const double radius = Derived<Case>::smallest_radius;
   if (const Status deep = check_overlap(s, chunk); !deep.ok()) return deep;
   const double sum = sum_of(s.monitor[chunk].square_sum);
   if (!(sum - sum == 0)) return detail::find_culprit(s, chunk, Fault::non_finite, 0);
@@ -94,7 +95,8 @@ Status check_chunk(State<Case>& s, int chunk, long long step) {
   }
   if (s.near_list.travel[chunk] > s.near_list.outer.allowed_travel() && step + 1 < s.near_list.next_decision)
     return {Fault::order_lost, detail::find_culprit(s, chunk, Fault::too_fast, 0).particle, 0,
-            s.near_list.travel[chunk] / Case::diameter, s.near_list.outer.allowed_travel() / Case::diameter};
+            s.near_list.travel[chunk] / smallest_diameter<Case>,
+            s.near_list.outer.allowed_travel() / smallest_diameter<Case>};
   return {};
 }
 

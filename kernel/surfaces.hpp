@@ -7,8 +7,8 @@
 // a line in for_each_wall (contacts.hpp).
 #pragma once
 
-#include "case.hpp"
 #include "lanes.hpp"
+#include "particles.hpp"
 
 namespace fixdem {
 
@@ -20,6 +20,7 @@ template <class V>
 struct Separation {
   Vec3<V> separation;
   V gap_square;
+  V reach{};  ///< with several sizes: the distance at which it touches
 };
 
 /// Of a separation: q^2; mixed: q^2 - (R - r)^2.
@@ -29,43 +30,43 @@ struct PipeSurface {
   static constexpr int kept_as = pipe_wall;  ///< partner in KeptHistory
   static constexpr bool is_flat = true;      ///< normals have no component along the pipe
   static constexpr bool has_root = true;
-  static constexpr double reach = Derived<Case>::pipe_radius - Derived<Case>::radius;
 
   template <class V>
-  static FIXDEM_INLINE Separation<V> separation(const Vec3<V>& x) {
-    const V square = fused(x.y, x.y, x.x * x.x);
-    return {{x.x, x.y, V{}}, is_mixed<Case> ? square - reach * reach : square};
+  static FIXDEM_INLINE Separation<V> separation(const Vec3<V>& x, V radius) {
+    Separation<V> s{{x.x, x.y, V{}}, fused(x.y, x.y, x.x * x.x), Derived<Case>::pipe_radius - radius};
+    if constexpr (is_mixed<Case>) s.gap_square = s.gap_square - reach_square(s);
+    return s;
   }
   template <class V>
-  static FIXDEM_INLINE unsigned touching(V gap_square) {
-    return bits_below(splat<V>(is_mixed<Case> ? 0 : reach * reach), gap_square);
+  static FIXDEM_INLINE unsigned touching(const Separation<V>& s) {
+    return bits_below(is_mixed<Case> ? V{} : reach_square(s), s.gap_square);
   }
   /// On the axis there is no normal, and no contact.
   template <class V>
-  static FIXDEM_INLINE V root(V gap_square) {
+  static FIXDEM_INLINE V root(const Separation<V>& s) {
     if constexpr (is_mixed<Case>)
-      return sqrt(max(gap_square + constant<V>(reach * reach), V{}));
+      return sqrt(max(s.gap_square + reach_square(s), V{}));
     else
-      return sqrt(gap_square);
+      return sqrt(s.gap_square);
   }
   template <class V>
   static FIXDEM_INLINE V resolve(const Separation<V>& s, V q, Vec3<V>& n) {
     if constexpr (is_mixed<Case>) {
       n = scale(constant<V>(1) / max(q, splat<V>(1e-30)), s.separation);
-      return s.gap_square / (q + constant<V>(reach));
+      return s.gap_square / (q + reach(s));
     } else {
       n = scale(1.0 / max(q, splat<V>(1e-300)), s.separation);
-      return q - reach;
+      return q - reach(s);
     }
   }
 
-  /// Distance of the surface of a sphere at x, m; negative: overlap.
-  static double gap(const double* x) { return reach - place(x); }
-  /// Overlap of a sphere at x in double, and its normal.
+  // Of a sphere by its row of positions. `gap`: distance of its surface, m; negative: overlap.
+  static double gap(const double* x) { return Derived<Case>::pipe_radius - radius_at<Case>(x) - place(x); }
+  /// Overlap in double, and its normal.
   static double overlap(const double* x, Vec3<double>& n) {
     const double q = place(x), inverse = 1 / max(q, 1e-300);
     n = {inverse * x[0], inverse * x[1], 0};
-    return q - reach;
+    return q - (Derived<Case>::pipe_radius - radius_at<Case>(x));
   }
   static int partner(const Vec3<double>&) { return pipe_wall; }
   /// Bound on the speed towards the surface, m/s.
@@ -77,6 +78,24 @@ struct PipeSurface {
   static bool is_outside(const double* x) { return place(x) > limit; }
   static double place(const double* x) { return sqrt(fused(x[1], x[1], x[0] * x[0])); }
   static constexpr double limit = Derived<Case>::pipe_radius;
+
+ private:
+  /// Distance from the axis at which centres touch, and its square.
+  template <class V>
+  static FIXDEM_INLINE V reach(const Separation<V>& s) {
+    if constexpr (has_sizes<Case>)
+      return s.reach;
+    else
+      return splat<V>(one_reach);
+  }
+  template <class V>
+  static FIXDEM_INLINE V reach_square(const Separation<V>& s) {
+    if constexpr (has_sizes<Case>)
+      return s.reach * s.reach;
+    else
+      return splat<V>(one_reach * one_reach);
+  }
+  static constexpr double one_reach = Derived<Case>::pipe_radius - Derived<Case>::reference_radius;  ///< of one size
 };
 
 /// Of a separation: the overlap itself; it lies along z.
@@ -87,14 +106,14 @@ struct EndSurfaces {
   static constexpr bool is_flat = false, has_root = false;
 
   template <class V>
-  static FIXDEM_INLINE Separation<V> separation(const Vec3<V>& x) {
+  static FIXDEM_INLINE Separation<V> separation(const Vec3<V>& x, V radius) {
     const auto at_start = x.z < 0.5 * Case::pipe_length;
     return {{V{}, V{}, select(at_start, splat<V>(-1.0), splat<V>(1.0))},
-            select(at_start, Derived<Case>::radius - x.z, x.z - (Case::pipe_length - Derived<Case>::radius))};
+            select(at_start, radius - x.z, x.z - (Case::pipe_length - radius))};
   }
   template <class V>
-  static FIXDEM_INLINE unsigned touching(V gap_square) {
-    return bits_below(V{}, gap_square);
+  static FIXDEM_INLINE unsigned touching(const Separation<V>& s) {
+    return bits_below(V{}, s.gap_square);
   }
   template <class V>
   static FIXDEM_INLINE V resolve(const Separation<V>& s, V, Vec3<V>& n) {
@@ -102,9 +121,9 @@ struct EndSurfaces {
     return s.gap_square;
   }
 
-  static double gap(const double* x) { return min(x[2], Case::pipe_length - x[2]) - Derived<Case>::radius; }
+  static double gap(const double* x) { return min(x[2], Case::pipe_length - x[2]) - radius_at<Case>(x); }
   static double overlap(const double* x, Vec3<double>& n) {
-    return resolve(separation(Vec3<double>{x[0], x[1], x[2]}), 0.0, n);
+    return resolve(separation(Vec3<double>{x[0], x[1], x[2]}, radius_at<Case>(x)), 0.0, n);
   }
   static int partner(const Vec3<double>& n) { return n.z < 0 ? start_end : far_end; }
   template <class Box>

@@ -29,7 +29,10 @@ struct WallSide {
   template <int W, class Offset>
   FIXDEM_INLINE Separation<Lanes<W, R>> separation(const Offset* owner, const Offset*) const {
     const auto part = [&](auto width, int lane) FIXDEM_INLINE_LAMBDA {
-      return Surface::separation(load_vectors<decltype(width)::value>(position, owner + lane));
+      constexpr int w = decltype(width)::value;
+      const Vec4<Lanes<w>> x = load_columns<w>(position, owner + lane);
+      const Lanes<w> radius = has_sizes<Case> ? x.w : splat<Lanes<w>>(Derived<Case>::reference_radius);
+      return Surface::separation(Vec3<Lanes<w>>{x.x, x.y, x.z}, radius);
     };
     if constexpr (is_mixed<Case>)
       return narrowed<W>(part);
@@ -38,11 +41,11 @@ struct WallSide {
   }
   template <class V>
   FIXDEM_INLINE unsigned touching(const Separation<V>& s) const {
-    return Surface::touching(s.gap_square);
+    return Surface::touching(s);
   }
   template <class V>
-  FIXDEM_INLINE V root(V gap_square) const {
-    return Surface::root(gap_square);
+  FIXDEM_INLINE V root(const Separation<V>& s) const {
+    return Surface::root(s);
   }
   template <class V>
   FIXDEM_INLINE V resolve(const Separation<V>& s, V root, Vec3<V>& n) const {
@@ -51,11 +54,12 @@ struct WallSide {
   template <int W, class Offset>
   FIXDEM_INLINE Motion<Lanes<W, R>> motion(const Offset* owner, const Offset*) const {
     Motion<Lanes<W, R>> motion{};
-    if constexpr (Derived<Case>::has_rotation)
+    if constexpr (Particles<Case>::motion_width == 8)
       motion = load_motion<W>(owner_motion, owner);
     else
       motion.velocity = load_vectors<W>(owner_motion, owner);
     if constexpr (Law::has_rolling) motion.rolling = scale(splat<Lanes<W, R>>(-1), motion.spin);
+    motion.owner_inverse_mass = motion.inverse_mass, motion.owner_inverse_radius = motion.inverse_radius;
     return motion;
   }
   template <int W, class Offset>

@@ -218,11 +218,25 @@ TEST_CASE_TEMPLATE("rows: looked up by offset, each row in its lane", K, FIXDEM_
     const auto motion = load_motion<W>(v, a.offset);
     different += count_different(motion.velocity, [&](int k, int c) { return v[8 * a.row(k) + c]; });
     different += count_different(motion.spin, [&](int k, int c) { return v[8 * a.row(k) + 4 + c]; });
-    const auto pair = load_motion_of_pairs<W>(v, a.offset, w, b.offset);
-    different +=
-        count_different(pair.velocity, [&](int k, int c) { return v[8 * a.row(k) + c] - w[8 * b.row(k) + c]; });
-    different +=
-        count_different(pair.spin, [&](int k, int c) { return v[8 * a.row(k) + 4 + c] + w[8 * b.row(k) + 4 + c]; });
+    const auto check_pairs = [&](const auto& pair) {
+      different +=
+          count_different(pair.velocity, [&](int k, int c) { return v[8 * a.row(k) + c] - w[8 * b.row(k) + c]; });
+      different +=
+          count_different(pair.spin, [&](int k, int c) { return v[8 * a.row(k) + 4 + c] + w[8 * b.row(k) + 4 + c]; });
+    };
+    check_pairs(load_motion_of_pairs<W, false>(v, a.offset, w, b.offset));
+    const auto pair = load_motion_of_pairs<W, true>(v, a.offset, w, b.offset);
+    check_pairs(pair);
+    const Vec3<Lanes<W, T>> pads = {pair.inverse_mass, pair.inverse_radius, pair.inverse_mass};
+    different += count_different(pads, [&](int k, int c) {
+      const int pad = c == 1 ? 7 : 3;
+      return v[8 * a.row(k) + pad] + w[8 * b.row(k) + pad];
+    });
+    const auto places = load_separations<W>(p, a.offset, q, b.offset);
+    different += count_different(Vec3<Lanes<W, T>>{places.x, places.z, places.w}, [&](int k, int c) {
+      const int i = 4 * a.row(k) + (c == 0 ? 0 : c + 1), j = 4 * b.row(k) + (c == 0 ? 0 : c + 1);
+      return c == 2 ? p[i] + q[j] : p[i] - q[j];
+    });
   }
   CHECK(different == 0);
 }

@@ -130,11 +130,12 @@ double work_around_cycle(Random& random) {
     for (int piece = 1; piece <= pieces; ++piece) {
       const double overlap = std::max(0.0, corners[k][2] + piece * step[2]);
       const Vec3<double> velocity = {step[0] / Case::time_step, step[1] / Case::time_step, step[2] / Case::time_step};
-      const Springs<double> springs_now = springs<Law, Case>(spring_base<Law, Case>(overlap));
+      const ContactBodies<Law, Case, double> bodies(Motion<double>{});
+      const Springs<double> springs_now = springs<Law, Case>(spring_base<Law, Case>(overlap, bodies), bodies);
       bool is_done = false;
-      const auto f =
-          contact_force<Law, Case, SlidingLanes::computed>(springs_now, Vec3<double>{0, 0, 1}, velocity, velocity.z,
-                                                           velocity.z, Vec3<double>{}, overlap > 0, history, is_done);
+      const auto f = contact_force<Law, Case, SlidingLanes::computed>(bodies, springs_now, Vec3<double>{0, 0, 1},
+                                                                      velocity, velocity.z, velocity.z, Vec3<double>{},
+                                                                      overlap > 0, history, is_done);
       work += f.force.x * step[0] + f.force.y * step[1] + f.force.z * step[2];
     }
   }

@@ -80,11 +80,26 @@ struct slippery_walls : impulse {
   static constexpr double wall_friction = 0, rolling_friction = 0.1;
 };
 
+/// The same with several sizes: all that grains and walls can be.
+template <class Scene>
+struct in_two_sizes : Scene {
+  static constexpr double largest_diameter = Scene::diameter, smallest_diameter = 0.6 * Scene::diameter;
+  static constexpr double reference_density = Scene::density;
+  static constexpr double mean_volume = (1 + 2 * 0.6 * 0.6 * 0.6) / 3 * Derived<Scene>::volume;
+  static constexpr int species_count = 2, neighbour_capacity = 28;
+  static constexpr SizeRun sizes[] = {{80, largest_diameter, Scene::density, 0},
+                                      {160, smallest_diameter, 1.5 * Scene::density, 1}};
+};
+struct two_sizes : in_two_sizes<rolling> {};
+struct two_sizes_impulse : in_two_sizes<rolling_impulse> {};
+struct two_sizes_smooth : in_two_sizes<smooth> {};
+
 struct mixed_gas : in_mixed_precision<gas> {};
 struct mixed_smooth : in_mixed_precision<smooth> {};
 struct mixed_leapfrog : in_mixed_precision<leapfrog> {};
 struct mixed_paper : in_mixed_precision<paper> {};
 struct mixed_rolling : in_mixed_precision<rolling> {};
+struct mixed_two_sizes : in_mixed_precision<two_sizes> {};
 
 inline constexpr long long steps = 2000;
 
@@ -107,6 +122,10 @@ constexpr void for_each_scene(Visit visit) {
   visit.template operator()<rolling_on_walls>("rolling on walls");
   visit.template operator()<slippery_walls>("slippery walls");
   visit.template operator()<mixed_rolling>("mixed rolling");
+  visit.template operator()<two_sizes>("two sizes");
+  visit.template operator()<two_sizes_impulse>("two sizes impulse");
+  visit.template operator()<two_sizes_smooth>("two sizes smooth");
+  visit.template operator()<mixed_two_sizes>("mixed two sizes");
 }
 
 }  // namespace fixdem::tests::identical
