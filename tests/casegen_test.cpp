@@ -122,7 +122,8 @@ TEST_CASE("every shipped case makes a header, twice the same, and an unchanged h
     CHECK_FALSE(contains(outcome.output, "warning"));
     const std::string text = read(header);
     CHECK(contains(text, "struct " + name + " {"));
-    CHECK(contains(text, "double time_step = 0x1.0c6f7a0b5ed8dp-19;"));  // 2e-6 s, all of them
+    // 2e-6 s, less where some particles are smaller.
+    CHECK((contains(text, "double time_step = 0x1.0c6f7a0b5ed8dp-19;") || contains(text, "SizeRun sizes[] = {")));
     CHECK(contains(text, "source = \"x.toml\";"));
     const auto earlier = fs::last_write_time(header) - std::chrono::hours(1);
     fs::last_write_time(header, earlier);
@@ -130,7 +131,7 @@ TEST_CASE("every shipped case makes a header, twice the same, and an unchanged h
     CHECK(read(header) == text);
     CHECK(fs::last_write_time(header) == earlier);
   }
-  CHECK(cases == 17);
+  CHECK(cases == 22);
 }
 
 TEST_CASE("the advice has the contact times of the literature, and warns below 20 steps per contact") {

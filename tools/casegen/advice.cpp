@@ -1,5 +1,8 @@
-// Time-step advice: contact time at the reference speed, Rayleigh time, steps per contact; and where mixed precision
-// does not pay.
+// Time-step advice: contact time at the reference speed, Rayleigh time, steps per contact; what the sizes of particles
+// are; and where mixed precision does not pay.
+//
+// With several sizes each time is the shortest: of all pairs of species and of each with the walls; of a distribution,
+// where all are of one material, that of the smallest with one another and with the walls.
 //
 // The Rayleigh time pi r sqrt(rho/G) / (0.1631 nu + 0.8766) is that of a surface wave over half the sphere. Linear law:
 // the limit 2 sqrt(m/k) of eq. (39). Contact times: tools/run/contact_time.hpp. SI units.
@@ -13,6 +16,7 @@
 #include <numbers>
 #include <vector>
 
+#include "sizes.hpp"
 #include "tools/run/contact_time.hpp"
 
 namespace fixdem::casegen {
@@ -22,29 +26,63 @@ namespace {
 constexpr double most_steps_per_contact = 1000;
 
 struct ContactTime {
-  const char* between;
+  const char* kind;
+  std::string between;  // which spheres, with several sizes
   double seconds;
 };
 
-double mass_of(const CaseValues& v) { return std::numbers::pi / 6 * std::pow(v.diameter, 3) * v.density; }
+/// Spheres that are all alike.
+struct Kind {
+  std::string name;
+  double diameter, density;
+  bool is_one;  // alone of its kind
+  double mass() const { return std::numbers::pi / 6 * std::pow(diameter, 3) * density; }
+};
 
-/// Contact times of the kinds of contact that this case can have.
+std::vector<Kind> kinds_of(const CaseValues& v) {
+  if (!v.has_sizes()) return {{"", v.diameter, v.density, v.count == 1}};
+  std::vector<Kind> kinds;
+  for (const auto& species : v.species)
+    kinds.push_back({species.name, species.diameter, species.density, species.count == 1});
+  if (kinds.empty()) kinds.push_back({"smallest", figures_of(v).smallest, v.density, false});
+  return kinds;
+}
+
+double pair_contact_time(const CaseValues& v, const Kind& one, const Kind& other) {
+  const double mass = one.mass() / (1 + one.mass() / other.mass());  // eq. (42)
+  if (v.normal == "linear") return linear_contact_time(mass, v.normal_stiffness);
+  const double radius = one.diameter / 2 / (1 + one.diameter / other.diameter);
+  const double compliance = 2 * (1 - v.poisson_ratio * v.poisson_ratio) / v.youngs_modulus;
+  return hertz_contact_time(mass, 4.0 / 3.0 * std::sqrt(radius) / compliance, v.reference_speed);  // eqs. (16), (43)
+}
+
+double wall_contact_time(const CaseValues& v, const Kind& kind) {
+  if (v.normal == "linear") return linear_contact_time(kind.mass(), v.normal_stiffness);
+  const double compliance = (1 - v.poisson_ratio * v.poisson_ratio) / v.youngs_modulus +
+                            (1 - v.wall_poisson_ratio * v.wall_poisson_ratio) / v.wall_youngs_modulus;
+  const double stiffness = 4.0 / 3.0 * std::sqrt(kind.diameter / 2) / compliance;  // eq. (17)
+  return hertz_contact_time(kind.mass(), stiffness, v.reference_speed);
+}
+
+/// The shortest contact time of each kind of contact that this case can have.
 std::vector<ContactTime> contact_times(const CaseValues& v) {
-  const double mass = mass_of(v), radius = v.diameter / 2;
-  const bool pairs = v.count > 1, walls = v.wall || v.ends == "closed";
-  std::vector<ContactTime> times;
-  if (v.normal == "linear") {
-    if (pairs) times.push_back({"pair", linear_contact_time(mass / 2, v.normal_stiffness)});
-    if (walls) times.push_back({"wall", linear_contact_time(mass, v.normal_stiffness)});
-    return times;
+  if (v.normal == "hertz" && v.reference_speed <= 0) return {};
+  const std::vector<Kind> kinds = kinds_of(v);
+  constexpr double never = std::numeric_limits<double>::infinity();
+  ContactTime pair{"pair", "", never}, wall{"wall", "", never};
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    for (std::size_t j = i; j < kinds.size(); ++j) {
+      if (i == j && kinds[i].is_one) continue;
+      const double seconds = pair_contact_time(v, kinds[i], kinds[j]);
+      if (seconds < pair.seconds) pair = {"pair", kinds[i].name + " with " + kinds[j].name, seconds};
+    }
+    if (!v.has_walls()) continue;
+    const double seconds = wall_contact_time(v, kinds[i]);
+    if (seconds < wall.seconds) wall = {"wall", kinds[i].name, seconds};
   }
-  if (v.reference_speed <= 0) return times;
-  const double compliance = (1 - v.poisson_ratio * v.poisson_ratio) / v.youngs_modulus;
-  const double wall_compliance = (1 - v.wall_poisson_ratio * v.wall_poisson_ratio) / v.wall_youngs_modulus;
-  const double pair_stiffness = std::sqrt(2 * radius) / (3 * compliance);                        // eq. (16)
-  const double wall_stiffness = 4.0 / 3.0 * std::sqrt(radius) / (compliance + wall_compliance);  // eq. (17)
-  if (pairs) times.push_back({"pair", hertz_contact_time(mass / 2, pair_stiffness, v.reference_speed)});
-  if (walls) times.push_back({"wall", hertz_contact_time(mass, wall_stiffness, v.reference_speed)});
+  std::vector<ContactTime> times;
+  for (const ContactTime& time : {pair, wall})
+    if (std::isfinite(time.seconds)) times.push_back(time);
   return times;
 }
 
@@ -52,9 +90,29 @@ std::string steps_text(double steps) {
   return steps < 1e6 ? fmt::format("{:.1f}", steps) : fmt::format("{:.3g}", steps);
 }
 
-double rayleigh_time(const CaseValues& v) {
+double rayleigh_time(const CaseValues& v, const Kind& kind) {
   const double shear_modulus = v.youngs_modulus / (2 * (1 + v.poisson_ratio));  // eq. (20)
-  return std::numbers::pi * v.diameter / 2 * std::sqrt(v.density / shear_modulus) / (0.1631 * v.poisson_ratio + 0.8766);
+  return std::numbers::pi * kind.diameter / 2 * std::sqrt(kind.density / shear_modulus) /
+         (0.1631 * v.poisson_ratio + 0.8766);
+}
+
+/// The least that any of the spheres has.
+double least_of(const CaseValues& v, double (*property)(const CaseValues&, const Kind&)) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Kind& kind : kinds_of(v)) least = std::min(least, property(v, kind));
+  return least;
+}
+
+/// One line on particles of several sizes.
+std::string describe_sizes(const CaseValues& v) {
+  const SizeFigures sizes = figures_of(v);
+  std::string what;
+  if (v.species.empty()) what = v.size_distribution == "table" ? "sizes by table" : v.size_distribution + " sizes";
+  for (const auto& species : v.species)
+    what += fmt::format("{} {} of {:.4g} m", what.empty() ? fmt::format("{} species:", v.species.size()) : ",",
+                        species.name, species.diameter);
+  return fmt::format("{}; diameters: smallest {:.4g}, mean {:.4g}, Sauter {:.4g}, largest {:.4g} m", what,
+                     sizes.smallest, sizes.mean, sizes.sauter, sizes.largest);
 }
 
 }  // namespace
@@ -68,14 +126,17 @@ std::string advise_time_step(const Reading& reading, const std::string& name, Re
   };
   const auto times = contact_times(v);
   line("{}: time step {:.4g} s, reference speed {:.4g} m/s", name, v.time_step, v.reference_speed);
-  for (const auto& [between, seconds] : times)
-    line("  {} contact   {:.4g} s: time step / contact time {:.4f}, {} steps per contact", between, seconds,
-         v.time_step / seconds, steps_text(seconds / v.time_step));
+  if (v.has_sizes()) line("  {}", describe_sizes(v));
+  const auto spheres = [&](const ContactTime& time) { return v.has_sizes() ? " (" + time.between + ")" : ""; };
+  for (const ContactTime& time : times)
+    line("  {} contact   {:.4g} s{}: time step / contact time {:.4f}, {} steps per contact", time.kind, time.seconds,
+         spheres(time), v.time_step / time.seconds, steps_text(time.seconds / v.time_step));
   if (v.normal == "hertz") {
-    const double rayleigh = rayleigh_time(v);
+    const double rayleigh = least_of(v, rayleigh_time);
     line("  Rayleigh time  {:.4g} s: time step / Rayleigh time {:.4f}", rayleigh, v.time_step / rayleigh);
   } else {
-    const double limit = 2 * std::sqrt(mass_of(v) / v.normal_stiffness);
+    const double limit = least_of(
+        v, [](const CaseValues& of, const Kind& kind) { return 2 * std::sqrt(kind.mass() / of.normal_stiffness); });
     line("  eq. (39) limit {:.4g} s: time step / limit {:.4f}", limit, v.time_step / limit);
   }
   if (times.empty() && v.normal == "hertz" && v.reference_speed <= 0) {

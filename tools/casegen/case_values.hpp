@@ -10,23 +10,51 @@
 #include <string>
 #include <vector>
 
+#include "kernel/sizes.hpp"
+
 namespace fixdem::casegen {
 
 using Vector3 = std::array<double, 3>;
 
+/// One entry of `[[particles.species]]`.
+struct Species {
+  std::string name;  // its number, unless given
+  std::int64_t count = 0;
+  double diameter = 0;  // m
+  double density = 0;   // kg/m3; that of [particles], unless given
+};
+
 /// One entry of `[[start.particle]]`.
 struct PlacedParticle {
-  Vector3 position{};          // m
-  Vector3 velocity{};          // m/s
+  std::string species;  // number or name as written, the number once it is known to be one; empty without species
+  Vector3 position{};   // m
+  Vector3 velocity{};   // m/s
   Vector3 angular_velocity{};  // rad/s
 };
 
 struct CaseValues {
   std::string title;
 
-  std::int64_t count = 0;
-  double diameter = 0;  // m
-  double density = 0;   // kg/m3
+  std::int64_t count = 0;  // with species the sum of theirs
+  double diameter = 0;     // m; 0 with several sizes
+  double density = 0;      // kg/m3; with species the default of theirs
+
+  bool has_species = false;
+  std::vector<Species> species;
+
+  bool has_distribution = false;  // of diameters
+  std::string size_distribution;
+  double size_minimum = 0, size_maximum = 0;  // m
+  double size_mean = 0, size_deviation = 0;   // m
+  double size_median = 0, size_spread = 0;    // m; standard deviation of the logarithm
+  std::vector<double> size_diameters;         // m, sieves
+  std::vector<double> size_below;             // share below each
+  std::string size_weight = "volume";
+  std::int64_t size_seed = 1;
+
+  /// Consecutive particles, by number, that are equal; empty where all are. Follows from species or the distribution.
+  std::vector<SizeRun> sizes;
+  bool has_sizes() const { return !sizes.empty(); }
 
   double youngs_modulus = 0;  // Pa; 0 with the linear law, which does not use it
   double poisson_ratio = 0;

@@ -1,7 +1,8 @@
 // What the keys of a case must satisfy together. Each check points at one key and says what to change.
 //
-// Order: conditions, times, then `complete`, then geometry, placed particles, then the predecessor. A check is left out
-// when one of the keys it needs was missing or refused, so that one mistake gives one message.
+// Order: keys that apply, sizes, conditions, times, then `complete`, then geometry, placed particles, then the
+// predecessor. A check is left out when one of the keys it needs was missing or refused, so that one mistake gives one
+// message.
 #pragma once
 
 #include <string>
@@ -10,6 +11,12 @@
 #include "report.hpp"
 
 namespace fixdem::casegen {
+
+/// Keys that belong to one choice only (schema.hpp, `When`): missing where needed, refused elsewhere.
+void check_applicable_keys(Reading& reading, Report& report);
+
+/// Species and distributions of diameters, from which count, `sizes` and what equal spheres have follow.
+void check_sizes(Reading& reading, Report& report);
 
 /// Keys that need or exclude one another: contact law, start, gas, intervals.
 void check_conditions(Reading& reading, Report& report);

@@ -11,50 +11,6 @@
 namespace fixdem::casegen {
 namespace {
 
-std::string full_name(const Key& key) { return key.table + "." + key.name; }
-
-/// Keys that belong to one of the two normal laws or to one way to start: missing where needed, refused elsewhere.
-void check_applicable_keys(Reading& reading, Report& report) {
-  const CaseValues& v = reading.values;
-  const bool law_known = reading.usable({"contact.normal"});
-  const bool start_known = reading.usable({"start.arrangement", "start.from"}) && reading.tables.contains("start");
-  for (const auto& key : case_keys()) {
-    bool applies = true;
-    switch (key.when) {
-      case When::always:
-        continue;
-      case When::hertz:
-        applies = v.normal == "hertz";
-        break;
-      case When::linear:
-        applies = v.normal == "linear";
-        break;
-      case When::random:
-        applies = reading.has("start.arrangement");
-        break;
-      case When::from:
-        applies = reading.has("start.from");
-        break;
-    }
-    const bool is_law = key.when == When::hertz || key.when == When::linear;
-    if (is_law ? !law_known : !start_known) continue;
-    const std::string name = full_name(key);
-    if (reading.has(name) && !applies) {
-      report.error(reading.given[name].key,
-                   fmt::format("{} is not used here; allowed: only with {}", reading.quote(name), describe(key.when)),
-                   fmt::format("remove '{}', which would do nothing, or choose {}", key.name, describe(key.when)));
-      reading.unusable.insert(name);
-    } else if (!reading.has(name) && applies && key.required && !reading.unusable.contains(name)) {
-      if (key.table != "contact" && !reading.tables.contains(key.table)) continue;  // the table itself is missing
-      report.error(reading.place(name),
-                   fmt::format("missing key '{}' in {}, needed with {}: {}", key.name, table_title(key.table),
-                               describe(key.when), key.meaning),
-                   key.advice);
-      reading.unusable.insert(name);
-    }
-  }
-}
-
 void check_start(Reading& reading, Report& report) {
   if (!reading.tables.contains("start")) return;
   std::vector<std::string> found;
@@ -80,8 +36,8 @@ void check_start(Reading& reading, Report& report) {
   }
 
   const auto count = static_cast<std::int64_t>(reading.values.placed.size());
-  const bool counts =
-      reading.tables.contains("start.particle") && reading.usable({"particles.count", "start.particle"});
+  const bool counts = reading.tables.contains("start.particle") && !reading.tables.contains("particles.species") &&
+                      reading.usable({"particles.count", "start.particle"});
   if (counts && count != reading.values.count)
     report.error(reading.place("particles.count"),
                  fmt::format("{}, but [[start.particle]] places {}; allowed: as many as are placed",
@@ -163,6 +119,11 @@ void check_law_and_gas(const Reading& reading, Report& report) {
     report.error(reading.place("contact.damping"),
                  "[contact] damping = \"critical\" with normal = \"hertz\"; allowed: \"restitution\"",
                  "use damping = \"restitution\", or normal = \"linear\" with given stiffnesses");
+  if (v.damping_mass == "particle" && v.has_sizes())
+    report.error(
+        reading.place("contact.damping_mass"),
+        fmt::format("{} with particles of several sizes; allowed: \"reduced\"", reading.quote("contact.damping_mass")),
+        "the two masses of a contact differ, and only the reduced mass gives the restitution: remove it");
   if (v.integrator == "impulse" && v.slider == "paper" && reading.usable({"contact.slider"}))
     report.error(
         reading.place("contact.slider"),
@@ -177,7 +138,6 @@ void check_law_and_gas(const Reading& reading, Report& report) {
 }  // namespace
 
 void check_conditions(Reading& reading, Report& report) {
-  check_applicable_keys(reading, report);
   check_start(reading, report);
   check_walls_and_friction(reading, report);
   check_rolling(reading, report);

@@ -1,7 +1,8 @@
 // Whether the particles fit: pipe, slices, solids fraction; and whether tiles fit the pipe.
 //
-// The limits are 0.60 of the pipe's volume for any start (random close packing is 0.64, less near walls) and 0.45 for a
-// random arrangement; a denser start is the final state of a case that fills the pipe. Lengths in metres.
+// The limits are 0.60 of the pipe's volume for any start (random close packing is 0.64, less near walls), 0.85 with
+// several sizes (random mixtures of a large and a small one pack to 0.79), and 0.45 for a random arrangement; a denser
+// start is the final state of a case that fills the pipe. Lengths in metres.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,79 +12,97 @@
 
 #include "checks.hpp"
 #include "kernel/capacity.hpp"
+#include "sizes.hpp"
 
 namespace fixdem::casegen {
 namespace {
 
-constexpr double densest = 0.60, densest_random = 0.45;
+constexpr double densest_of_equal = 0.60, densest_of_several = 0.85, densest_random = 0.45;
 constexpr double longest_pipe = 1e6;  // in particle diameters, one slice each
 
 void check_pipe(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
   if (!reading.usable({"particles.diameter", "pipe.diameter", "pipe.length", "pipe.ends"})) return;
-  if (v.diameter >= v.pipe_diameter)
-    report.error(reading.place("particles.diameter"),
+  const double largest = figures_of(v).largest;
+  const char* kind = v.has_sizes() ? "of the largest " : "";
+  const std::string lower = v.has_sizes() ? "the largest diameter" : "[particles] diameter";
+  if (largest >= v.pipe_diameter)
+    report.error(reading.place(reading.largest_key),
                  fmt::format("{} is wider than the pipe; allowed: below [pipe] diameter = {}",
-                             reading.quote("particles.diameter"), v.pipe_diameter),
-                 "lower [particles] diameter or raise [pipe] diameter");
-  const double shortest = (v.ends == "periodic" ? 4 : 2) * v.diameter;
+                             reading.quote(reading.largest_key), v.pipe_diameter),
+                 fmt::format("lower {} or raise [pipe] diameter", lower));
+  const double shortest = (v.ends == "periodic" ? 4 : 2) * largest;
   if (v.pipe_length < shortest) {
     report.error(reading.place("pipe.length"),
-                 fmt::format("{} is too short; allowed with ends = \"{}\": at least {} particle diameters = {:.6g}",
-                             reading.quote("pipe.length"), v.ends, v.ends == "periodic" ? 4 : 2, shortest),
-                 "raise [pipe] length or lower [particles] diameter");
+                 fmt::format("{} is too short; allowed with ends = \"{}\": at least {} {}particle diameters = {:.6g}",
+                             reading.quote("pipe.length"), v.ends, v.ends == "periodic" ? 4 : 2, kind, shortest),
+                 fmt::format("raise [pipe] length or lower {}", lower));
     return;
   }
-  if (v.pipe_length > longest_pipe * v.diameter)
+  if (v.pipe_length > longest_pipe * largest)
     report.error(reading.place("pipe.length"),
-                 fmt::format("{} is too long; allowed: at most {:.0e} particle diameters = {:.6g}",
-                             reading.quote("pipe.length"), longest_pipe, longest_pipe * v.diameter),
+                 fmt::format("{} is too long; allowed: at most {:.0e} {}particle diameters = {:.6g}",
+                             reading.quote("pipe.length"), longest_pipe, kind, longest_pipe * largest),
                  "every diameter of the pipe is a slice with arrays of its own: lower [pipe] length");
   if (!v.has_gas || !reading.usable({"gas.slice_length"})) return;
-  if (v.gas_slice_length < v.diameter || v.gas_slice_length > v.pipe_length / 4)
-    report.error(reading.place("gas.slice_length"),
-                 fmt::format("{}: slices of {:.6g} m; allowed: from one particle diameter = {:.6g} to a quarter of the "
-                             "pipe = {:.6g}",
-                             reading.quote("gas.slice_length"), v.gas_slice_length, v.diameter, v.pipe_length / 4),
-                 "leave slice_length out for one diameter; the gas needs at least four slices");
+  if (v.gas_slice_length < largest || v.gas_slice_length > v.pipe_length / 4)
+    report.error(
+        reading.place("gas.slice_length"),
+        fmt::format("{}: slices of {:.6g} m; allowed: from one {}particle diameter{} = {:.6g} to a quarter of the "
+                    "pipe = {:.6g}",
+                    reading.quote("gas.slice_length"), v.gas_slice_length, kind, v.has_sizes() ? "s" : "", largest,
+                    v.pipe_length / 4),
+        "leave slice_length out for one diameter; the gas needs at least four slices");
 }
 
 void check_solids_fraction(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
   if (!reading.usable({"particles.count", "particles.diameter", "pipe.diameter", "pipe.length"})) return;
-  if (v.diameter >= v.pipe_diameter) return;  // reported already
-  const double particle = std::numbers::pi / 6 * std::pow(v.diameter, 3);
+  const SizeFigures sizes = figures_of(v);
+  if (sizes.largest >= v.pipe_diameter) return;  // reported already
   const double pipe = std::numbers::pi / 4 * v.pipe_diameter * v.pipe_diameter * v.pipe_length;
-  const double fraction = static_cast<double>(v.count) * particle / pipe;
-  const auto fitting = [&](double limit) {  // rounding must not turn a whole number away
-    const double most = limit * pipe / particle * (1 + 1e-12);
-    return most < 9e18 ? static_cast<std::int64_t>(most) : std::numeric_limits<std::int64_t>::max();
+  const double fraction = sizes.volume / pipe;
+  const auto exceeds = [&](double limit) { return fraction > limit * (1 + 1e-12); };  // no whole number by rounding
+  const auto allowed = [&](double limit) {
+    std::string words = fmt::format("at most {:.2f}", limit);
+    if (v.has_sizes()) return words;
+    const double most = limit * pipe / sizes.volume * static_cast<double>(v.count) * (1 + 1e-12);
+    const auto fitting = most < 9e18 ? static_cast<std::int64_t>(most) : std::numeric_limits<std::int64_t>::max();
+    return words + fmt::format(", that is {} particles", fitting);
   };
-  if (v.count > fitting(densest))
-    report.error(reading.place("particles.count"),
-                 fmt::format("{}: they would fill {:.3f} of the pipe; allowed: at most {:.2f}, that is {} particles",
-                             reading.quote("particles.count"), fraction, densest, fitting(densest)),
+  const double densest = sizes.largest > sizes.smallest ? densest_of_several : densest_of_equal;
+  if (exceeds(densest))
+    report.error(reading.place(reading.count_key),
+                 fmt::format("{}: {} would fill {:.3f} of the pipe; allowed: {}", reading.quote(reading.count_key),
+                             v.has_sizes() ? "all particles" : "they", fraction, allowed(densest)),
                  "lower count or raise [pipe] length or diameter");
-  else if (v.arrangement == "random" && v.count > fitting(densest_random))
-    report.error(
-        reading.place("start.arrangement"),
-        fmt::format("{} of count = {} fills {:.3f} of the pipe; allowed: at most {:.2f}, that is {} particles",
-                    reading.quote("start.arrangement"), v.count, fraction, densest_random, fitting(densest_random)),
-        "let them settle in a longer pipe first (as fill_1000.toml does) and start with from = \"that case\"");
+  else if (v.arrangement == "random" && exceeds(densest_random))
+    report.error(reading.place("start.arrangement"),
+                 fmt::format("{} of count = {} fills {:.3f} of the pipe; allowed: {}",
+                             reading.quote("start.arrangement"), v.count, fraction, allowed(densest_random)),
+                 "let them settle in a longer pipe first (as fill_1000.toml does) and start with from = \"that case\"");
+}
+
+/// The diameter that the kernel divides the pipe by (kernel/capacity.hpp).
+double diameter_for_chunks(const CaseValues& v) {
+  const SizeFigures sizes = figures_of(v);
+  return v.has_sizes() ? fixdem::diameter_for_chunks(sizes.volume / static_cast<double>(v.count), sizes.largest)
+                       : v.diameter;
 }
 
 /// The kernel works on slices of the pipe a little longer than a particle, and their size is limited.
 void check_slice(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
   if (!reading.usable({"particles.count", "particles.diameter", "pipe.diameter"})) return;
-  if (particles_per_chunk(static_cast<int>(v.count), v.pipe_diameter, v.diameter) <= largest_chunk) return;
+  const double diameter = diameter_for_chunks(v);
+  if (particles_per_chunk(static_cast<int>(v.count), v.pipe_diameter, diameter) <= largest_chunk) return;
   double widest = v.pipe_diameter;
-  while (particles_per_chunk(static_cast<int>(v.count), widest, v.diameter) > largest_chunk) widest *= 0.99;
+  while (particles_per_chunk(static_cast<int>(v.count), widest, diameter) > largest_chunk) widest *= 0.99;
   report.error(
       reading.place("pipe.diameter"),
       fmt::format("{} is {:.0f} particles wide, and a slice of it may hold more than {} of them; allowed with "
                   "more than {} particles: at most {:.3g} m",
-                  reading.quote("pipe.diameter"), v.pipe_diameter / v.diameter, largest_chunk, largest_chunk, widest),
+                  reading.quote("pipe.diameter"), v.pipe_diameter / diameter, largest_chunk, largest_chunk, widest),
       fmt::format("lower [pipe] diameter, or [particles] count to {} or less", largest_chunk));
 }
 
@@ -92,9 +111,10 @@ void check_tiles(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
   if (!reading.has("capacity.tile_steps") || v.tile_steps <= 1) return;
   if (!reading.usable({"capacity.tile_steps", "particles.count", "particles.diameter", "pipe.diameter"})) return;
-  if (v.diameter >= v.pipe_diameter) return;  // reported already
+  if (figures_of(v).largest >= v.pipe_diameter) return;  // reported already
   const auto count = static_cast<int>(v.count);
-  const int size = particles_per_chunk(count, v.pipe_diameter, v.diameter), chunks = (count + size - 1) / size;
+  const int size = particles_per_chunk(count, v.pipe_diameter, diameter_for_chunks(v)),
+            chunks = (count + size - 1) / size;
   auto maximum = v.tile_steps;
   while (chunks < chunks_for_tile(static_cast<int>(maximum))) --maximum;
   if (maximum < v.tile_steps)

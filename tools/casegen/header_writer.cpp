@@ -13,6 +13,7 @@
 
 #include "checks.hpp"
 #include "schema.hpp"
+#include "sizes.hpp"
 
 namespace fixdem::casegen {
 namespace {
@@ -77,12 +78,35 @@ CaseValues silent_of(CaseValues values) {
   return values;
 }
 
+/// Diameter and density of equal spheres; of several sizes those of all particles, by number.
+void write_sizes(Members& members, const CaseValues& v) {
+  if (!v.has_sizes()) {
+    members.real("diameter", v.diameter, "m");
+    members.real("density", v.density, "kg/m3");
+    return;
+  }
+  const SizeFigures sizes = figures_of(v);
+  members.real("largest_diameter", sizes.largest, "m");
+  members.real("smallest_diameter", sizes.smallest, "m");
+  members.real("reference_density", sizes.reference_density, "kg/m3, of the heaviest of the largest");
+  members.real("mean_volume", sizes.volume / static_cast<double>(v.count), "m3");
+  members.whole("species_count", static_cast<std::int64_t>(v.species.size()));
+  if (!v.species.empty()) {
+    std::string names;
+    for (const auto& species : v.species) names += (names.empty() ? "" : ", ") + literal(species.name);
+    members.add("const char*", "species_names[]", "{" + names + "}", "");
+  }
+  fmt::memory_buffer list;
+  for (const auto& [count, diameter, density, species] : v.sizes)
+    fmt::format_to(std::back_inserter(list), "\n      {{{}, {:a}, {:a}, {}}},", count, diameter, density, species);
+  members.add("SizeRun", "sizes[]", "{" + fmt::to_string(list) + "\n  }", "count, diameter, density, species");
+}
+
 void write_physics(Members& members, const CaseValues& v) {
   const CaseValues silent = silent_of(v);
   members.heading("particles and material");
   members.whole("particle_count", v.count);
-  members.real("diameter", v.diameter, "m");
-  members.real("density", v.density, "kg/m3");
+  write_sizes(members, v);
   members.real("youngs_modulus", v.youngs_modulus, "Pa");
   members.real("poisson_ratio", v.poisson_ratio, "");
   members.real("restitution", v.restitution, "");
@@ -159,17 +183,29 @@ void write_program(Members& members, const CaseValues& v) {
   members.add("Placed", "placed[]", list.empty() ? "{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}" : "{" + list + "\n  }", "");
 }
 
+/// Whether a key belongs into the list of all: it is used, and it says something where another would leave it out.
+bool says_something(const Rule<CaseValues>& rule, const CaseValues& values, const CaseValues& silent) {
+  if (rule.table == "particles.sizes") return values.has_distribution && applies(rule.when, values);
+  if (rule.table == "particles" && !applies(rule.when, values)) return false;
+  if (rule.when == When::species_default && values.has_species) return false;  // each has it
+  return !rule.only_if_it_says_something || rule.value_in(values) != rule.value_in(silent);
+}
+
 /// Every key with its value, one a line: what a program compares when it is to go on with a run of another one.
 std::string key_values(const CaseValues& values) {
   std::string text;
   const CaseValues silent = silent_of(values);
   for (const Rule<CaseValues>& rule : case_keys())
-    if (!rule.only_if_it_says_something || rule.value_in(values) != rule.value_in(silent))
+    if (says_something(rule, values, silent))
       text += fmt::format("{}{} = {}\n", rule.table.empty() ? "" : "[" + rule.table + "] ", rule.name,
                           one_line(rule.value_in(values)));
+  for (std::size_t k = 0; k < values.species.size(); ++k)
+    for (const Rule<Species>& rule : species_keys())
+      text += fmt::format("[[particles.species]] {} {} = {}\n", k, rule.name, rule.value_in(values.species[k]));
   for (std::size_t k = 0; k < values.placed.size(); ++k)
     for (const Rule<PlacedParticle>& rule : placed_keys())
-      text += fmt::format("[[start.particle]] {} {} = {}\n", k, rule.name, rule.value_in(values.placed[k]));
+      if (!rule.only_if_it_says_something || rule.value_in(values.placed[k]) != rule.value_in(PlacedParticle{}))
+        text += fmt::format("[[start.particle]] {} {} = {}\n", k, rule.name, rule.value_in(values.placed[k]));
   return text;
 }
 
@@ -199,7 +235,8 @@ bool is_reserved(const std::string& name) {
       "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "linux", "unix", "fixdem", "cases",
       // members that only some headers have
       "tile_steps", "memory_budget", "wall_friction", "wall_restitution", "friction_limit", "FrictionLimit",
-      "rolling_friction", "wall_rolling_friction"};
+      "rolling_friction", "wall_rolling_friction", "largest_diameter", "smallest_diameter", "reference_density",
+      "mean_volume", "species_count", "species_names", "sizes", "SizeRun"};
   if (words.contains(name)) return true;
   static const std::string members = write_members({}, {});
   const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };

@@ -18,6 +18,7 @@ std::string cell(const std::string& text) {
 template <class Record>
 std::string row(const Rule<Record>& rule) {
   std::string need = rule.required ? "required" : rule.default_value();
+  if (rule.required && !rule.default_note.empty()) need += " " + rule.default_note;
   const std::string only = describe(rule.when);
   if (!only.empty()) need += fmt::format("; only with {}", only);
   return fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", rule.name, rule.type(), rule.unit,
@@ -35,13 +36,14 @@ std::string key_table_markdown() {
   for (const auto& rule : case_keys())
     if (rule.table.empty()) text += row(rule);
   for (const auto& table : tables()) {
-    const bool is_list = table.name == "start.particle";
-    fmt::format_to(std::back_inserter(text), "\n`{}{}{}`{}: {}\n\n{}", is_list ? "[[" : "[", table.name,
-                   is_list ? "]]" : "]", table.required ? "" : " (optional)", table.meaning, heading);
+    fmt::format_to(std::back_inserter(text), "\n`{}`{}: {}\n\n{}", table_title(table.name),
+                   table.required ? "" : " (optional)", table.meaning, heading);
     for (const auto& rule : case_keys())
       if (rule.table == table.name) text += row(rule);
-    if (is_list)
-      for (const auto& rule : placed_keys()) text += row(rule);
+    for (const auto& rule : species_keys())
+      if (rule.table == table.name) text += row(rule);
+    for (const auto& rule : placed_keys())
+      if (rule.table == table.name) text += row(rule);
   }
   return text;
 }

@@ -19,14 +19,14 @@ std::vector<Rule<CaseValues>> physics_keys() {
         "write a text in double quotes"},
        Text{&Values::title}},
 
-      {{"particles", "count", "", true, When::always, "", "number of particles",
+      {{"particles", "count", "", true, When::no_species, "without species", "number of particles",
         "Table 2 of the paper has count = 1000"},
        Whole{&Values::count, particle_counts}},
-      {{"particles", "diameter", "m", true, When::always, "", "diameter; all particles are equal spheres",
+      {{"particles", "diameter", "m", true, When::one_size, "without species and sizes", "diameter of equal spheres",
         "in metres: Table 2 of the paper has diameter = 0.010"},
        Real{&Values::diameter, positive, sizes}},
-      {{"particles", "density", "kg/m3", true, When::always, "", "density of the particles' material",
-        "in kg/m3: Table 2 of the paper has density = 1000.0"},
+      {{"particles", "density", "kg/m3", true, When::species_default, "where species have none of their own",
+        "density of the particles' material", "in kg/m3: Table 2 of the paper has density = 1000.0"},
        Real{&Values::density, positive, densities}},
 
       {{"material", "youngs_modulus", "Pa", true, When::hertz, "", "Young's modulus of the particles",
@@ -124,7 +124,8 @@ std::vector<Rule<CaseValues>> physics_keys() {
       {{"gas", "kinematic_viscosity", "m2/s", true, When::always, "", "kinematic viscosity of the gas",
         "in m2/s: air has kinematic_viscosity = 1.5e-5"},
        Real{&Values::gas_viscosity, positive, between(1e-8, 0.01)}},
-      {{"gas", "bed_diameter", "m", false, When::always, "[particles] diameter",
+      {{"gas", "bed_diameter", "m", false, When::always,
+        "[particles] diameter; of several sizes the Sauter diameter of each slice",
         "diameter in the Ergun equation, eqs. (33) and (35)",
         "in metres: the paper's modification has bed_diameter = 0.003"},
        Real{&Values::gas_bed_diameter, positive, sizes}},
@@ -138,9 +139,9 @@ std::vector<Rule<CaseValues>> physics_keys() {
         "when a slice counts as full of particles: gradually, at once, or only when it is",
         "\"continuous\" and \"hard\" carry plugs; with \"strict\" the gas leaks over every plug"},
        Choice{&Values::gas_bed_height, {"continuous", "hard", "strict"}}},
-      {{"gas", "slice_length", "m", false, When::always, "[particles] diameter",
-        "length of a slice of the gas, from one particle diameter to a quarter of the pipe; the nearest whole number "
-        "of equal slices is used",
+      {{"gas", "slice_length", "m", false, When::always, "the largest diameter",
+        "length of a slice of the gas, from one particle diameter, the largest, to a quarter of the pipe; the nearest "
+        "whole number of equal slices is used",
         "from one particle diameter to a quarter of the pipe; leave it out for one diameter"},
        Real{&Values::gas_slice_length, positive}},
   };

@@ -62,10 +62,12 @@ std::vector<Rule<CaseValues>> run_keys() {
         "the default is 1.5: on a bed a step beyond that is unstable; inf never stops"},
        Real{&Values::stability_limit, positive, any, true}},
 
-      {{"capacity", "neighbours", "", false, When::always, "",
-        "room for near pairs of one particle; the run stops when it is not enough",
-        "twelve equal spheres can touch one; the default is 14"},
-       Whole{&Values::neighbour_capacity, between(2, 30)}},
+      {{"capacity", "neighbours", "", false, When::always,
+        "14; with the largest diameter q times the smallest the lesser of 160 and ceil(1.8/(1 - c)) + 1, "
+        "c = sqrt(1 - 1/(1 + q)^2)",
+        "room for near pairs of one particle, at most 30 of equal spheres; the run stops when it is not enough",
+        "twelve equal spheres can touch one; the default is 14, or what the sizes need"},
+       Whole{&Values::neighbour_capacity, between(2, 160)}},
       {{"capacity", "tile_steps", "steps", false, When::always, "chosen by the kernel",
         "steps done together while a piece of a long pipe is in the cache; results do not depend on it",
         "leave it out, and the kernel chooses; 1 is plain steps, more need a pipe of many chunks"},
@@ -113,6 +115,10 @@ std::span<const Rule<PlacedParticle>> placed_keys() {
       {{"start.particle", "angular_velocity", "rad/s", false, When::always, "", "angular velocity; needs friction",
         "three numbers in rad/s; leave it out for none"},
        Vector{&Placed::angular_velocity}},
+      {{"start.particle", "species", "", false, When::always, "required with species",
+        "number or name of its species; only with `[[particles.species]]`",
+        "the first [[particles.species]] of the file is 0, or give the name of one", true},
+       NameOrNumber{&Placed::species}},
   };
   return all;
 }

@@ -9,6 +9,7 @@
 
 #include "checks.hpp"
 #include "nearest_name.hpp"
+#include "sizes.hpp"
 
 namespace fixdem::casegen {
 namespace {
@@ -32,6 +33,40 @@ std::string suggestion(const std::string& from, const fs::path& missing, const s
   return fmt::format("did you mean \"{}\"?", (fs::path(from).parent_path() / nearest).string());
 }
 
+/// Each particle keeps its diameter and density. Of equal spheres the density may change.
+void check_same_sizes(const Reading& reading, const CaseValues& before, Place place, Report& report) {
+  const CaseValues& v = reading.values;
+  const std::string quoted = reading.quote("start.from");
+  if (!v.has_sizes() && !before.has_sizes()) {
+    if (before.diameter != v.diameter)
+      report.error(place,
+                   fmt::format("{} has particles of diameter {}; allowed: the same as here, {}", quoted,
+                               before.diameter, v.diameter),
+                   "start from a case of the same [particles] diameter");
+    return;
+  }
+  if (before.count != v.count) return;  // reported already
+  SizeRun all_there, all_here;
+  const std::span<const SizeRun> there = runs_of(before, all_there), here = runs_of(v, all_here);
+  std::size_t i = 0, j = 0;
+  for (std::int64_t first = 0, end_there = there[0].count, end_here = here[0].count; first < v.count;) {
+    const auto refuse = [&](const char* what, double earlier, double now) {
+      report.error(
+          place,
+          fmt::format("{}: particle {} has {} {} there and {} here; allowed: the same diameters and densities, "
+                      "number by number",
+                      quoted, first, what, earlier, now),
+          "start from a case of the same [[particles.species]] in the same order, or of the same "
+          "[particles.sizes] and seed");
+    };
+    if (there[i].diameter != here[j].diameter) return refuse("diameter", there[i].diameter, here[j].diameter);
+    if (there[i].density != here[j].density) return refuse("density", there[i].density, here[j].density);
+    first = std::min(end_there, end_here);
+    if (first == end_there && ++i < there.size()) end_there += there[i].count;
+    if (first == end_here && ++j < here.size()) end_here += here[j].count;
+  }
+}
+
 /// What the first predecessor must have in common with the case itself.
 void check_same_particles(const Reading& reading, const CaseValues& before, Place place, Report& report) {
   const CaseValues& v = reading.values;
@@ -39,11 +74,8 @@ void check_same_particles(const Reading& reading, const CaseValues& before, Plac
   if (reading.usable({"particles.count"}) && before.count != v.count)
     report.error(place, fmt::format("{} has {} particles; allowed: as many as here, {}", quoted, before.count, v.count),
                  "start from a case of the same count, or change [particles] count");
-  if (reading.usable({"particles.diameter"}) && before.diameter != v.diameter)
-    report.error(place,
-                 fmt::format("{} has particles of diameter {}; allowed: the same as here, {}", quoted, before.diameter,
-                             v.diameter),
-                 "start from a case of the same [particles] diameter");
+  if (reading.usable({"particles.diameter", "particles.density", "particles.count"}))
+    check_same_sizes(reading, before, place, report);
   if (reading.usable({"pipe.diameter"}) && v.wall && before.pipe_diameter > v.pipe_diameter)
     report.error(place,
                  fmt::format("{} has a pipe of diameter {}; allowed: at most that of this pipe, {}", quoted,
@@ -77,6 +109,8 @@ bool is_plain_path(const std::string& from) {
 Reading load_case(const std::string& text, const std::string& label, Report& report) {
   Reading reading = read_case(text, label, report);
   if (reading.tables.empty() && report.errors() > 0) return reading;  // not TOML at all: nothing to check
+  check_applicable_keys(reading, report);
+  check_sizes(reading, report);
   check_conditions(reading, report);
   check_times(reading, report);
   complete(reading);

@@ -26,12 +26,12 @@ class Reader {
       const std::string name(key.str());
       if (const auto* rule = find_key("", name)) {
         read_value(*rule, "", key, node, reading_.values);
-      } else if (!is_table(name)) {
+      } else if (find_table(name) == nullptr || is_part(name)) {
         refuse_unknown_table(name, place_of(key.source()));
       }
     }
     for (const auto& table : tables()) {
-      if (table.name == "start.particle") continue;  // part of [start]
+      if (is_part(table.name)) continue;  // read with the table it belongs to
       if (const toml::node* node = root.get(table.name)) {
         read_table(table.name, *node);
       } else if (table.required) {
@@ -43,22 +43,29 @@ class Reader {
       }
     }
     reading_.values.has_gas = reading_.tables.contains("gas");
+    reading_.values.has_species = reading_.tables.contains("particles.species");
+    reading_.values.has_distribution = reading_.tables.contains("particles.sizes");
   }
 
  private:
   static std::string full_name(const Key& key) { return key.table + "." + key.name; }
 
-  static bool is_table(std::string_view name) {
-    return std::any_of(tables().begin(), tables().end(), [&](const TableRule& table) { return table.name == name; });
+  static bool is_part(std::string_view table) { return table.find('.') != std::string_view::npos; }
+
+  template <class Record>
+  static void add_names(std::span<const Rule<Record>> keys, std::string_view table, bool only_required,
+                        std::vector<std::string>& names) {
+    for (const auto& rule : keys)
+      if (rule.table == table && (rule.required || !only_required)) names.push_back(rule.name);
   }
 
   static std::vector<std::string> names_in(std::string_view table, bool only_required = false) {
     std::vector<std::string> names;
-    for (const auto& rule : case_keys())
-      if (rule.table == table && (rule.required || !only_required)) names.push_back(rule.name);
-    if (table == "start.particle")
-      for (const auto& rule : placed_keys()) names.push_back(rule.name);
-    if (table == "start" && !only_required) names.push_back("particle");
+    add_names(case_keys(), table, only_required, names);
+    add_names(species_keys(), table, only_required, names);
+    add_names(placed_keys(), table, only_required, names);
+    for (const auto& part : tables())
+      if (part.is_part_of(table) && !only_required) names.push_back(part.last_name());
     if (table == "start" && only_required) names = {"one of arrangement = \"random\"", "from", "[[start.particle]]"};
     return names;
   }
@@ -66,7 +73,7 @@ class Reader {
   void refuse_unknown_table(const std::string& name, Place place) {
     std::vector<std::string> names{"title"};
     for (const auto& table : tables())
-      if (table.name != "start.particle") names.push_back(table.name);
+      if (!is_part(table.name)) names.push_back(table.name);
     const std::string nearest = nearest_known(name, names);
     misspelt_.insert(nearest);
     report_.error(place, fmt::format("unknown table or key '{}' at the top of the file", shown(name)),
@@ -119,8 +126,8 @@ class Reader {
     }
     for (const auto& [key, value] : *table) {
       const std::string key_name(key.str());
-      if (name == "start" && key_name == "particle") {
-        read_placed(value);
+      if (const TableRule* part = find_table(fmt::format("{}.{}", name, key_name))) {
+        read_part(*part, value);
       } else if (const auto* rule = find_key(name, key_name)) {
         read_value(*rule, name + ".", key, value, reading_.values);
       } else {
@@ -140,37 +147,52 @@ class Reader {
     reading_.unusable.insert(prefix + rule.name);
   }
 
-  void read_placed(const toml::node& node) {
+  void read_part(const TableRule& table, const toml::node& node) {
+    if (table.name == "start.particle")
+      read_list(table, node, placed_keys(), reading_.values.placed, "particle");
+    else if (table.name == "particles.species")
+      read_list(table, node, species_keys(), reading_.values.species, "kind");
+    else
+      read_table(table.name, node);
+  }
+
+  /// One table for each record; `noun`: what a record is.
+  template <class Record>
+  void read_list(const TableRule& list, const toml::node& node, std::span<const Rule<Record>> keys,
+                 std::vector<Record>& records, const char* noun) {
+    const std::string title = table_title(list.name);
     const toml::array* entries = node.as_array();
+    reading_.tables[list.name] = place_of(node.source());
     if (entries == nullptr) {
-      report_.error(place_of(node.source()), "'particle' in [start] must be a list of tables",
-                    "write [[start.particle]], with two pairs of brackets, before each particle");
-      reading_.unusable.insert("start.particle");
+      report_.error(place_of(node.source()),
+                    fmt::format("'{}' in [{}] must be a list of tables", list.last_name(),
+                                list.name.substr(0, list.name.find('.'))),
+                    fmt::format("write {}, with two pairs of brackets, before each {}", title, noun));
+      reading_.unusable.insert(list.name);
       return;
     }
-    reading_.tables["start.particle"] = place_of(node.source());
     for (const toml::node& entry : *entries) {
       const Place place = place_of(entry.source());
-      const std::string prefix = fmt::format("start.particle.{}.", reading_.values.placed.size());
-      reading_.values.placed.emplace_back();
+      const std::string own = fmt::format("{}.{}", list.name, records.size()), prefix = own + ".";
+      reading_.tables[own] = place;
+      records.emplace_back();
       const toml::table* table = entry.as_table();
       if (table == nullptr) {
-        report_.error(place,
-                      fmt::format("an entry of [[start.particle]] is {}, but must be a table", written_type(entry)),
-                      "write [[start.particle]] and below it position = [x, y, z]");
-        reading_.unusable.insert("start.particle");
+        const auto needed = std::find_if(keys.begin(), keys.end(), [](const auto& rule) { return rule.required; });
+        report_.error(place, fmt::format("an entry of {} is {}, but must be a table", title, written_type(entry)),
+                      fmt::format("write {} and below it {}, and so on", title, needed->name));
+        reading_.unusable.insert(list.name);
         continue;
       }
       for (const auto& [key, value] : *table) {
-        const auto keys = placed_keys();
         const std::string name(key.str());
         const auto rule = std::find_if(keys.begin(), keys.end(), [&](const auto& r) { return r.name == name; });
         if (rule != keys.end())
-          read_value(*rule, prefix, key, value, reading_.values.placed.back());
+          read_value(*rule, prefix, key, value, records.back());
         else
-          reading_.unusable.insert(prefix + refuse_unknown_key("start.particle", name, place_of(key.source())));
+          reading_.unusable.insert(prefix + refuse_unknown_key(list.name, name, place_of(key.source())));
       }
-      for (const auto& rule : placed_keys())
+      for (const auto& rule : keys)
         if (rule.required && !table->contains(rule.name)) refuse_missing(rule, prefix, place);
     }
   }
@@ -204,10 +226,6 @@ class Reader {
 
 }  // namespace
 
-std::string table_title(std::string_view table) {
-  return table == "start.particle" ? "[[start.particle]]" : fmt::format("[{}]", table);
-}
-
 Place Reading::place(const std::string& key) const {
   if (const auto found = given.find(key); found != given.end()) return found->second.value;
   const auto table = tables.find(key.substr(0, key.rfind('.')));
@@ -216,7 +234,9 @@ Place Reading::place(const std::string& key) const {
 
 std::string Reading::quote(const std::string& key) const {
   const auto dot = key.rfind('.');
-  const std::string table = key.starts_with("start.particle") ? "start.particle" : key.substr(0, dot);
+  std::string table = key.substr(0, dot);
+  const std::string list = table.substr(0, table.rfind('.'));
+  if (find_table(table) == nullptr && find_table(list) != nullptr) table = list;  // without the number of the entry
   const auto found = given.find(key);
   return fmt::format("{} {} = {}", table_title(table), key.substr(dot + 1),
                      found != given.end() ? found->second.text : "(default)");

@@ -24,9 +24,11 @@ struct Given {
 
 struct Reading {
   CaseValues values;
-  std::map<std::string, Given> given;   ///< by "table.key"; of particle k "start.particle.k.key", k from 0
-  std::map<std::string, Place> tables;  ///< the tables that the file has
+  std::map<std::string, Given> given;   ///< by "table.key"; of entry k of a list "table.k.key", k from 0
+  std::map<std::string, Place> tables;  ///< the tables that the file has; of lists "table" and each "table.k"
   std::set<std::string> unusable;       ///< "table.key" of missing and refused values
+  /// The keys that number of particles and largest diameter come from; others than these with several sizes.
+  std::string count_key = "particles.count", largest_key = "particles.diameter";
 
   bool has(const std::string& key) const { return given.contains(key); }
   bool usable(std::initializer_list<std::string_view> keys) const {
@@ -42,8 +44,5 @@ struct Reading {
 
 /// Reads the text; errors go to the report, and the result is complete only when there are none.
 Reading read_case(std::string_view text, std::string_view file, Report& report);
-
-/// What a key of a case file is called in messages.
-std::string table_title(std::string_view table);
 
 }  // namespace fixdem::casegen

@@ -29,13 +29,15 @@ std::string number(double value) {
 
 std::span<const TableRule> tables() {
   static const std::vector<TableRule> all = {
-      {"particles", true, "the particles: equal spheres"},
+      {"particles", true, "the particles: equal spheres, unless one of the next two tables says otherwise"},
+      {"particles.species", false, "one `[[particles.species]]` table for each kind of particles, at most 16", true},
+      {"particles.sizes", false, "particles of one material whose diameters follow a continuous distribution"},
       {"material", true, "what they and the walls are made of"},
       {"contact", false, "the contact law"},
       {"pipe", true, "the pipe"},
       {"gas", false, "the gas that blows through the pipe; without this table there is none"},
       {"start", true, "where the particles come from: exactly one of `arrangement`, `from` and `[[start.particle]]`"},
-      {"start.particle", false, "one `[[start.particle]]` table per particle, as many as `[particles] count`"},
+      {"start.particle", false, "one `[[start.particle]]` table per particle, as many as `count` or species say", true},
       {"run", true, "time and its step"},
       {"capacity", false, "fixed sizes of the arrays"},
       {"output", false, "what is written, and how often"},
@@ -46,6 +48,7 @@ std::span<const TableRule> tables() {
 std::span<const Rule<CaseValues>> case_keys() {
   static const std::vector<Rule<CaseValues>> all = [] {
     std::vector<Rule<CaseValues>> keys = physics_keys();
+    for (auto& key : size_keys()) keys.push_back(key);
     for (auto& key : run_keys()) keys.push_back(key);
     return keys;
   }();
@@ -58,9 +61,58 @@ const Rule<CaseValues>* find_key(std::string_view table, std::string_view name) 
   return nullptr;
 }
 
+const TableRule* find_table(std::string_view name) {
+  for (const auto& table : tables())
+    if (table.name == name) return &table;
+  return nullptr;
+}
+
+std::string table_title(std::string_view name) {
+  const TableRule* table = find_table(name);
+  return table != nullptr && table->is_list ? fmt::format("[[{}]]", name) : fmt::format("[{}]", name);
+}
+
+bool TableRule::is_part_of(std::string_view table) const {
+  return name.size() > table.size() && name.starts_with(table) && name[table.size()] == '.';
+}
+
+std::string TableRule::last_name() const { return name.substr(name.rfind('.') + 1); }
+
+bool applies(When when, const CaseValues& v) {
+  switch (when) {
+    case When::always:
+    case When::species_default:
+      return true;
+    case When::hertz:
+      return v.normal == "hertz";
+    case When::linear:
+      return v.normal == "linear";
+    case When::random:
+      return !v.arrangement.empty();
+    case When::from:
+      return !v.start_from.empty();
+    case When::no_species:
+      return !v.has_species;
+    case When::one_size:
+      return !v.has_species && !v.has_distribution;
+    case When::size_ends:
+      return v.has_distribution && v.size_distribution != "table";
+    case When::size_normal:
+      return v.size_distribution == "normal";
+    case When::size_lognormal:
+      return v.size_distribution == "lognormal";
+    case When::size_table:
+      return v.size_distribution == "table";
+  }
+  return true;
+}
+
 std::string describe(When when) {
   switch (when) {
     case When::always:
+    case When::no_species:
+    case When::one_size:
+    case When::species_default:
       return "";
     case When::hertz:
       return "normal = \"hertz\"";
@@ -70,6 +122,14 @@ std::string describe(When when) {
       return "arrangement = \"random\"";
     case When::from:
       return "from = \"another case\"";
+    case When::size_ends:
+      return R"(distribution = "uniform", "normal" or "lognormal")";
+    case When::size_normal:
+      return "distribution = \"normal\"";
+    case When::size_lognormal:
+      return "distribution = \"lognormal\"";
+    case When::size_table:
+      return "distribution = \"table\"";
   }
   return "";
 }
@@ -96,7 +156,9 @@ std::string Rule<Record>::type() const {
       Overloaded{[](const Real<Record>&) { return "number"; }, [](const Whole<Record>&) { return "whole number"; },
                  [](const Flag<Record>&) { return "true or false"; }, [](const Text<Record>&) { return "text"; },
                  [](const Choice<Record>&) { return "word"; }, [](const Vector<Record>&) { return "three numbers"; },
-                 [](const Memory<Record>&) { return "text"; }},
+                 [](const Name<Record>&) { return "text"; },
+                 [](const NameOrNumber<Record>&) { return "whole number or text"; },
+                 [](const Numbers<Record>&) { return "numbers"; }, [](const Memory<Record>&) { return "text"; }},
       binding);
 }
 
@@ -114,6 +176,11 @@ std::string Rule<Record>::allowed() const {
             return fmt::format("{}", fmt::join(words, ", "));
           },
           [](const Vector<Record>&) { return std::string("[x, y, z], three finite numbers"); },
+          [](const Name<Record>&) { return std::string("letters, digits, _ and -"); },
+          [](const NameOrNumber<Record>&) { return std::string("the number of a species, from 0 on, or its name"); },
+          [](const Numbers<Record>& numbers) {
+            return fmt::format("[a, b, ...], 2 to {} numbers, each {}", longest_list, numbers.range.describe());
+          },
           [](const Memory<Record>&) { return std::string("a whole number and B, KiB or MiB"); }},
       binding);
 }
@@ -148,21 +215,28 @@ std::string Rule<Record>::default_value() const {
 template <class Record>
 std::string Rule<Record>::value_in(const Record& record) const {
   const auto word = [](const std::string& text) { return text.empty() ? std::string("none") : quoted(text); };
+  const auto list = [](const auto& values) {
+    std::vector<std::string> words;
+    words.reserve(values.size());
+    for (const double value : values) words.push_back(number(value));
+    return fmt::format("[{}]", fmt::join(words, ", "));
+  };
   return std::visit(
       Overloaded{[&](const Real<Record>& real) { return number(record.*real.member); },
                  [&](const Whole<Record>& whole) { return fmt::format("{}", record.*whole.member); },
                  [&](const Flag<Record>& flag) { return std::string(record.*flag.member ? "true" : "false"); },
                  [&](const Text<Record>& text) { return word(record.*text.member); },
                  [&](const Choice<Record>& choice) { return word(record.*choice.member); },
-                 [&](const Vector<Record>& vector) {
-                   const Vector3& v = record.*vector.member;
-                   return fmt::format("[{}, {}, {}]", number(v[0]), number(v[1]), number(v[2]));
-                 },
+                 [&](const Vector<Record>& vector) { return list(record.*vector.member); },
+                 [&](const Name<Record>& own) { return word(record.*own.member); },
+                 [&](const NameOrNumber<Record>& own) { return record.*own.member; },
+                 [&](const Numbers<Record>& numbers) { return list(record.*numbers.member); },
                  [&](const Memory<Record>& memory) { return fmt::format("{}", record.*memory.member); }},
       binding);
 }
 
 template struct Rule<CaseValues>;
+template struct Rule<Species>;
 template struct Rule<PlacedParticle>;
 
 }  // namespace fixdem::casegen

@@ -18,6 +18,7 @@
 namespace fixdem::casegen {
 
 inline constexpr std::size_t longest_text = 500;  // bytes
+inline constexpr std::size_t longest_list = 100;  // numbers
 
 /// An interval of numbers. Infinity is never inside, unless a key allows it explicitly.
 struct Range {
@@ -65,6 +66,21 @@ struct Vector {
   Vector3 Record::*member;
   Range plausible = any;  ///< of each component
 };
+/// Letters, digits, _ and -.
+template <class Record>
+struct Name {
+  std::string Record::*member;
+};
+/// A name, or a whole number from 0 on; kept as text.
+template <class Record>
+struct NameOrNumber {
+  std::string Record::*member;
+};
+template <class Record>
+struct Numbers {
+  std::vector<double> Record::*member;
+  Range range;  ///< of each
+};
 /// A text like "256 KiB", or a whole number of bytes.
 template <class Record>
 struct Memory {
@@ -91,10 +107,29 @@ Vector(Vector3 Record::*) -> Vector<Record>;
 template <class Record>
 Vector(Vector3 Record::*, Range) -> Vector<Record>;
 template <class Record>
+Name(std::string Record::*) -> Name<Record>;
+template <class Record>
+NameOrNumber(std::string Record::*) -> NameOrNumber<Record>;
+template <class Record>
+Numbers(std::vector<double> Record::*, Range) -> Numbers<Record>;
+template <class Record>
 Memory(std::int64_t Record::*) -> Memory<Record>;
 
 /// When a key has a meaning; given elsewhere it is refused, because it would silently do nothing.
-enum class When { always, hertz, linear, random, from };
+enum class When {
+  always,
+  hertz,
+  linear,
+  random,
+  from,
+  no_species,
+  one_size,
+  species_default,  ///< always; with species it is needed only by those that have none of their own
+  size_ends,        ///< with a distribution that is cut, so all but a table
+  size_normal,
+  size_lognormal,
+  size_table
+};
 
 /// A key without the place its value goes to.
 struct Key {
@@ -103,7 +138,8 @@ struct Key {
   std::string unit;  ///< empty: a pure number or a word
   bool required = false;
   When when = When::always;
-  std::string default_note;  ///< for defaults that follow from other keys; otherwise the initialiser is printed
+  /// For defaults that follow from other keys; otherwise the initialiser is printed. Of a required key: when.
+  std::string default_note;
   std::string meaning;
   std::string advice;  ///< second line of a refusal
   /// In the header only where it says something: a header without it is that of the time before there was such a key.
@@ -113,7 +149,7 @@ struct Key {
 template <class Record>
 struct Rule : Key {
   using Binding = std::variant<Real<Record>, Whole<Record>, Flag<Record>, Text<Record>, Choice<Record>, Vector<Record>,
-                               Memory<Record>>;
+                               Name<Record>, NameOrNumber<Record>, Numbers<Record>, Memory<Record>>;
   Binding binding;
 
   std::string type() const;       ///< "real number", "whole number", ...
@@ -125,19 +161,28 @@ struct Rule : Key {
 };
 
 struct TableRule {
-  std::string name;
+  std::string name;  ///< with a point in it: a part of the table before the point
   bool required;
   std::string meaning;
+  bool is_list = false;  ///< `[[name]]`, once for each entry
+
+  bool is_part_of(std::string_view table) const;
+  std::string last_name() const;  ///< behind the point
 };
 
 std::span<const TableRule> tables();                  ///< in the order of the documentation
 std::vector<Rule<CaseValues>> physics_keys();         ///< title, particles, material, contact, pipe, gas
+std::vector<Rule<CaseValues>> size_keys();            ///< particles.sizes
 std::vector<Rule<CaseValues>> run_keys();             ///< start, run, capacity, output
-std::span<const Rule<CaseValues>> case_keys();        ///< both; table "" is the top of the file
+std::span<const Rule<CaseValues>> case_keys();        ///< all of these; table "" is the top of the file
+std::span<const Rule<Species>> species_keys();        ///< of one `[[particles.species]]`
 std::span<const Rule<PlacedParticle>> placed_keys();  ///< of one `[[start.particle]]`
 
 const Rule<CaseValues>* find_key(std::string_view table, std::string_view name);
-std::string describe(When when);  ///< "normal = \"hertz\"", empty for always
+const TableRule* find_table(std::string_view name);
+std::string table_title(std::string_view table);  ///< "[pipe]", "[[start.particle]]"
+bool applies(When when, const CaseValues& values);
+std::string describe(When when);  ///< "normal = \"hertz\""; empty where `default_note` says it
 
 /// Every key as Markdown, for cases/README.md.
 std::string key_table_markdown();

@@ -161,6 +161,46 @@ std::string assign(const Vector<Record>& vector, const toml::node& node, Record&
   return "";
 }
 
+inline bool is_name(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
+                              std::string_view::npos;
+}
+
+template <class Record>
+std::string assign(const Name<Record>& name, const toml::node& node, Record& record) {
+  const std::string problem = assign(Text<Record>{name.member}, node, record);
+  return !problem.empty() || is_name(record.*name.member) ? problem : "has other signs in it";
+}
+
+template <class Record>
+std::string assign(const NameOrNumber<Record>& name, const toml::node& node, Record& record) {
+  if (const auto* number = node.as_integer()) {
+    if (number->get() < 0) return "is out of range";
+    record.*name.member = fmt::format("{}", number->get());
+    return "";
+  }
+  if (!node.is_string()) return fmt::format("is {}, but must be a whole number or a text", written_type(node));
+  return assign(Name<Record>{name.member}, node, record);
+}
+
+template <class Record>
+std::string assign(const Numbers<Record>& numbers, const toml::node& node, Record& record) {
+  const auto* list = node.as_array();
+  if (list == nullptr) return fmt::format("is {}, but must be a list of numbers", written_type(node));
+  if (list->size() < 2 || list->size() > longest_list) return fmt::format("has {} entries", list->size());
+  std::vector<double> values;
+  for (const toml::node& entry : *list) {
+    double value = 0;
+    if (!read_real(entry, value)) return fmt::format("has {} in it, but must have numbers", written_type(entry));
+    if (std::isnan(value)) return "has something in it that is not a number";
+    if (!numbers.range.contains(value)) return fmt::format("has {} in it, which is out of range", value);
+    if (!has_usable_size(value)) return unusable_size;
+    values.push_back(value);
+  }
+  record.*numbers.member = std::move(values);
+  return "";
+}
+
 template <class Record>
 std::string assign(const Memory<Record>& memory, const toml::node& node, Record& record) {
   constexpr std::int64_t maximum = std::int64_t{1} << 40;
