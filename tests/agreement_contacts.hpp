@@ -23,8 +23,7 @@ struct Events {
 /// `c`: of the reference.
 template <class Case>
 void count_contact(const reference::Contact& c, Events& events) {
-  const bool is_pair = c.partner >= 0;
-  const auto k = is_pair ? reference::pair_coefficients<Case, double>() : reference::wall_coefficients<Case, double>();
+  const auto k = reference::contact_coefficients<Case, double>(c.owner, c.partner);
   const double elastic = k.normal_stiffness * std::pow(c.overlap, Case::normal == NormalLaw::hertz ? 1.5 : 1);
   const double limit =
       k.friction * (reference::friction_is_limited_by_elastic_force<Case>() ? elastic : std::abs(c.normal_force));
@@ -43,10 +42,11 @@ struct StandingContact {
   StandingContact(const reference::Reference<Case>& program, int owner, int partner) {
     const bool is_pair = partner >= 0;
     const Body a(program.particle(owner)), b = is_pair ? Body(program.particle(partner)) : Body();
-    const double radius = Case::diameter / 2;
+    const auto bodies = reference::bodies_of_contact<Case, double>(owner, partner);
+    const double radius = bodies.i.radius, other_radius = bodies.j.radius;
     if (is_pair) {
       const Vector between(b.x[0] - a.x[0], b.x[1] - a.x[1], axial_difference<Case>(b.x[2], a.x[2]));
-      overlap = Case::diameter - between.norm(), n = between.normalized();
+      overlap = radius + other_radius - between.norm(), n = between.normalized();
     } else if (partner == reference::pipe_wall) {
       const Vector across(a.x[0], a.x[1], 0);
       overlap = across.norm() - (Case::pipe_diameter / 2 - radius), n = across.normalized();
@@ -56,8 +56,8 @@ struct StandingContact {
       n = Vector(0, 0, is_lower ? -1 : 1);
     }
     const Vector v = a.v - b.v;
-    slip = v - v.dot(n) * n + radius * (a.w + b.w).cross(n);
-    rolling = (is_pair ? radius / 2 : radius) * (a.w - b.w).cross(n);
+    slip = v - v.dot(n) * n + (radius * a.w + other_radius * b.w).cross(n);
+    rolling = bodies.reduced_radius * (a.w - b.w).cross(n);
   }
 
  private:
@@ -73,11 +73,13 @@ struct StandingContact {
   };
 };
 
-/// The maximum difference of springs and rolling forces, in diameters: forces over k_t at an overlap of 0.001 d.
+/// The maximum difference of springs and rolling forces, in diameters (of the largest): forces over k_t at an overlap
+/// of 0.001 d.
 template <class Case, class Kernel>
 double difference_of_contacts(const Kernel& fast, const reference::Reference<Case>& slow, Events& events) {
   using Vector = reference::Vector<double>;
   constexpr bool keeps_displacement = Case::tangential == TangentialLaw::displacement;
+  constexpr double d = largest_diameter<Case>;
   std::map<std::pair<int, int>, reference::Contact> kept;
   slow.for_each_contact([&](const reference::Contact& c) { kept[{c.owner, c.partner}] = c; });
   double maximum = 0;
@@ -85,8 +87,7 @@ double difference_of_contacts(const Kernel& fast, const reference::Reference<Cas
     const bool is_pair = c.partner >= 0, is_swapped = is_pair && c.partner < c.owner;
     const int owner = is_swapped ? c.partner : c.owner, partner = is_swapped ? c.owner : c.partner;
     const double sign = is_swapped ? -1 : 1;  // of what slides; what rolls is the same from either side
-    const auto k =
-        is_pair ? reference::pair_coefficients<Case, double>() : reference::wall_coefficients<Case, double>();
+    const auto k = reference::contact_coefficients<Case, double>(owner, partner);
     const StandingContact<Case> now(slow, owner, partner);
     const auto found = kept.find({owner, partner});
     Vector sliding = Vector::Zero(), rolling = Vector::Zero();
@@ -105,14 +106,14 @@ double difference_of_contacts(const Kernel& fast, const reference::Reference<Cas
     if (k.friction == 0) sliding = Vector::Zero();
     if (k.rolling_friction == 0) rolling = Vector::Zero();
 
-    const double newton = k.tangential_stiffness * (is_hertz ? std::sqrt(1e-3 * Case::diameter) : 1) * Case::diameter;
-    const double unit = keeps_displacement ? Case::diameter : newton;
+    const double newton = k.tangential_stiffness * (is_hertz ? std::sqrt(1e-3 * d) : 1) * d;
+    const double unit = keeps_displacement ? d : newton;
     const double differences[] = {(sign * Vector(c.history) - sliding).norm() / unit,
                                   (Vector(c.rolling_history) - rolling).norm() / unit,
                                   (Vector(c.rolling_force) - force).norm() / newton};
-    for (const double d : differences) {
-      CHECK(std::isfinite(d));
-      maximum = std::max(maximum, d);
+    for (const double difference : differences) {
+      CHECK(std::isfinite(difference));
+      maximum = std::max(maximum, difference);
     }
     ++events.compared;
   });

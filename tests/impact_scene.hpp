@@ -25,7 +25,7 @@ struct impact_scene : cases::collide_wall {
 /// Numbers 0 .. 19 meet the wall z = 0; 20 + 2k and 21 + 2k meet each other. All within the first 0.1 ms.
 template <class Case>
 Spheres oblique_impacts(Random random) {
-  constexpr double d = Case::diameter, r = d / 2;
+  constexpr double d = largest_diameter<Case>;
   Spheres spheres(Case::particle_count);
   const auto any_motion = [&](Sphere& s) {
     for (int k = 0; k < 3; ++k) s.velocity[k] = random(-2, 2), s.angular_velocity[k] = random(-400, 400);
@@ -36,10 +36,11 @@ Spheres oblique_impacts(Random random) {
     any_motion(s);
     s.velocity[2] = -random(0.3, 3);
     s.position[0] = (k - 10) * 4 * d;
-    s.position[2] = r - s.velocity[2] * random(0, 1e-4);
+    s.position[2] = radius_of<Case>(k) - s.velocity[2] * random(0, 1e-4);
   }
   for (int k = 0; k < pair_impacts; ++k) {
-    Sphere &a = spheres[wall_impacts + 2 * k], &b = spheres[wall_impacts + 2 * k + 1];
+    const int first = wall_impacts + 2 * k;
+    Sphere &a = spheres[first], &b = spheres[first + 1];
     a = b = {};
     any_motion(a), any_motion(b);
     const double tilt = random(-1.2, 1.2), turn = random(-3, 3), approach = random(0.3, 3);
@@ -50,8 +51,8 @@ Spheres oblique_impacts(Random random) {
     for (int c = 0; c < 3; ++c) closing += (b.velocity[c] - a.velocity[c]) * n[c];
     for (int c = 0; c < 3; ++c) a.velocity[c] += closing * n[c];  // now (v_a - v_b).n = approach
     for (int c = 0; c < 3; ++c) {
-      a.position[c] = place[c] - r * n[c] - a.velocity[c] * way;
-      b.position[c] = place[c] + r * n[c] - b.velocity[c] * way;
+      a.position[c] = place[c] - radius_of<Case>(first) * n[c] - a.velocity[c] * way;
+      b.position[c] = place[c] + radius_of<Case>(first + 1) * n[c] - b.velocity[c] * way;
     }
   }
   return spheres;
@@ -60,11 +61,11 @@ Spheres oblique_impacts(Random random) {
 /// Kinetic energy of spheres first .. last - 1.
 template <class Case>
 double kinetic_energy(const Spheres& spheres, int first, int last) {
-  using D = Derived<Case>;
   double energy = 0;
   for (int i = first; i < last; ++i) {
-    energy += 0.5 * D::mass * dot(spheres[i].velocity, spheres[i].velocity) +
-              0.5 * D::moment_of_inertia * dot(spheres[i].angular_velocity, spheres[i].angular_velocity);
+    const double m = mass_of<Case>(i), r = radius_of<Case>(i);
+    energy += 0.5 * m * dot(spheres[i].velocity, spheres[i].velocity) +
+              0.2 * m * r * r * dot(spheres[i].angular_velocity, spheres[i].angular_velocity);
   }
   return energy;
 }

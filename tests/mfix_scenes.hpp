@@ -1,13 +1,17 @@
-// A ball dropped on a linear spring and a grain in rising gas, written once for the kernel and for the reference.
+// A ball dropped on a linear spring, two balls pressed between walls and a grain in rising gas, written once for the
+// kernel and for the reference.
 //
-// Figures of the MFIX test cases DEM01 and DEM06, with as many digits as are published. SI units.
+// Figures of the MFIX test cases DEM01, DEM03 and DEM06, with as many digits as are published; those of DEM03 to more
+// digits by another program. SI units.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "cases/collide_wall.hpp"
 #include "cases/drag_single.hpp"
+#include "listed_sizes.hpp"
 #include "support.hpp"
 
 namespace fixdem::tests {
@@ -58,6 +62,53 @@ template <template <class> class Solver>
 void check_dropped_balls() {
   check_dropped_ball<Solver, dropped_ball<100>>(0.396887, 2.800950);
   check_dropped_ball<Solver, dropped_ball<90>>(0.397435, 2.475443);
+}
+
+/// MFIX DEM03: two balls of 1 mm, the lower of twice the density, at rest and pressed between walls 1.8 mm apart;
+/// linear springs, no losses. Here the walls are the bottom and top of a pipe.
+struct pressed_balls {
+  static constexpr const char* name = "MFIX DEM03";
+  static constexpr int species_count = 2;
+  static constexpr const char* species_names[] = {"lower", "upper"};
+  static constexpr SizeRun sizes[] = {{1, 0.001, 20000, 0}, {1, 0.001, 10000, 1}};
+};
+template <Integrator scheme>
+struct between_walls : sized<pressed_balls, short_pipe> {
+  static constexpr double restitution = 1, friction = 0;
+  static constexpr NormalLaw normal = NormalLaw::linear;
+  static constexpr double normal_stiffness = 1e3, tangential_stiffness = 1e3;
+  static constexpr double pipe_diameter = 0.0018, pipe_length = 0.004;
+  static constexpr int slice_count = 4;
+  static constexpr double gravity[3] = {0, -9.80665, 0};
+  static constexpr Integrator integrator = scheme;
+  static constexpr double time_step = 2e-8;
+};
+
+/// Heights at three times to `bound`, m.
+template <template <class> class Solver, class Case>
+void check_pressed_balls(double bound) {
+  enter({Case::name, 0});
+  static Solver<Case> solver;
+  constexpr double middle = Case::pipe_diameter / 2;
+  solver.place(0, {{0, 0.00045 - middle, 0.002}, {0, 0, 0}, {0, 0, 0}});
+  solver.place(1, {{0, 0.00135 - middle, 0.002}, {0, 0, 0}, {0, 0, 0}});
+  start(solver);
+  constexpr double expected[3][3] = {{12.86e-6, 0.4496064489e-3, 1.3507836378e-3},
+                                     {102.88e-6, 0.4320098711e-3, 1.3823714935e-3},
+                                     {160.74e-6, 0.4235740682e-3, 1.3872912607e-3}};
+  for (const auto& [time, lower, upper] : expected) {
+    run(solver, std::llround(time / Case::time_step) - solver.step());
+    CHECK(std::abs(solver.particle(0).position[1] + middle - lower) < bound);
+    CHECK(std::abs(solver.particle(1).position[1] + middle - upper) < bound);
+  }
+  CHECK(solver.particle(0).position[0] == 0);
+}
+
+template <template <class> class Solver>
+void check_all_pressed_balls() {
+  check_pressed_balls<Solver, between_walls<Integrator::euler>>(5e-9);
+  check_pressed_balls<Solver, between_walls<Integrator::leapfrog>>(1e-12);
+  check_pressed_balls<Solver, between_walls<Integrator::impulse>>(1e-12);
 }
 
 /// MFIX DEM06: one grain in rising gas; its speed after 0.1 s and in the end.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "support.hpp"
@@ -24,19 +25,20 @@ using Spheres = std::vector<Sphere>;
 /// Velocity components within +-`speed`, spins (where there is friction) within +-`speed` over the radius.
 template <class Case>
 void agitate(Spheres& spheres, double speed, Random& random) {
-  for (Sphere& s : spheres) {
+  for (int i = 0; i < Case::particle_count; ++i) {
+    Sphere& s = spheres[i];
     for (int k = 0; k < 3; ++k) {
       s.velocity[k] = random(-speed, speed);
-      const double spin = random(-speed, speed) / (Case::diameter / 2);
+      const double spin = random(-speed, speed) / radius_of<Case>(i);
       s.angular_velocity[k] = Derived<Case>::has_rotation ? spin : 0;
     }
   }
 }
 
-/// Layers of 19 across a pipe of five diameters, `pitch` (m) apart, the first half a pitch from z = 0.
+/// Layers of 19 across a pipe of five diameters (of the largest), `pitch` (m) apart, the first half a pitch from z = 0.
 template <class Case>
 Spheres layered_spheres(double pitch, double speed, Random random) {
-  constexpr double d = Case::diameter, inner = 1.02 * d, outer = 1.99 * d, tau = 2 * std::numbers::pi;
+  constexpr double d = largest_diameter<Case>, inner = 1.02 * d, outer = 1.99 * d, tau = 2 * std::numbers::pi;
   Spheres spheres(Case::particle_count);
   double turn = 0;
   for (int i = 0; i < Case::particle_count; ++i) {
@@ -54,24 +56,32 @@ Spheres layered_spheres(double pitch, double speed, Random random) {
   return spheres;
 }
 
-/// Spheres at random places in the pipe, none touching another or a wall.
+/// Spheres at random places in the pipe, none touching another or a wall; the largest are placed first.
 template <class Case>
 Spheres random_spheres(double speed, Random random) {
-  constexpr double d = Case::diameter, reach = Case::pipe_diameter / 2 - d / 2, L = Case::pipe_length;
-  Spheres spheres;
-  for (int attempt = 0; attempt < 2000000 && static_cast<int>(spheres.size()) < Case::particle_count; ++attempt) {
+  constexpr double L = Case::pipe_length;
+  std::vector<int> order(Case::particle_count);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [](int i, int j) { return diameter_of<Case>(i) > diameter_of<Case>(j); });
+  Spheres spheres(Case::particle_count);
+  int placed = 0;
+  for (int attempt = 0; attempt < 2000000 && placed < Case::particle_count; ++attempt) {
+    const double r = radius_of<Case>(order[placed]), reach = Case::pipe_diameter / 2 - r;
     Sphere s{};
     for (int k = 0; k < 2; ++k) s.position[k] = random(-reach, reach);
-    s.position[2] = Case::ends == Ends::closed ? random(d / 2, L - d / 2) : random(0, L);
+    s.position[2] = Case::ends == Ends::closed ? random(r, L - r) : random(0, L);
     const bool inside = std::hypot(s.position[0], s.position[1]) < reach;
-    const bool free = std::none_of(spheres.begin(), spheres.end(), [&](const Sphere& other) {
+    const bool free = std::none_of(order.begin(), order.begin() + placed, [&](int id) {
+      const Sphere& other = spheres[id];
       const double between[3] = {s.position[0] - other.position[0], s.position[1] - other.position[1],
                                  axial_difference<Case>(s.position[2], other.position[2])};
-      return dot(between, between) < d * d;
+      const double touch = r + radius_of<Case>(id);
+      return dot(between, between) < touch * touch;
     });
-    if (inside && free) spheres.push_back(s);
+    if (inside && free) spheres[order[placed++]] = s;
   }
-  REQUIRE(spheres.size() == Case::particle_count);
+  REQUIRE(placed == Case::particle_count);
   agitate<Case>(spheres, speed, random);
   return spheres;
 }

@@ -1,4 +1,4 @@
-// A case written by hand that compiles; each file beside this one derives from it, spoils one value, and must be
+// Two cases written by hand that compile; each file beside this one derives from one, spoils a value, and must be
 // refused by the compiler with the message in its `// expected:` line. tests/compile_fail/run.sh compiles them.
 #pragma once
 
@@ -6,9 +6,8 @@
 
 namespace fixdem::compile_fail {
 
-struct Base {
-  static constexpr int particle_count = 8;
-  static constexpr double diameter = 0.01, density = 1000;
+/// All but the particles.
+struct Rest {
   static constexpr double youngs_modulus = 3e9, poisson_ratio = 0.33, restitution = 0.9, friction = 0.3;
   static constexpr double wall_youngs_modulus = 3e9, wall_poisson_ratio = 0.33;
   static constexpr auto normal = NormalLaw::hertz;
@@ -32,6 +31,21 @@ struct Base {
   static constexpr double max_overlap = 0.5;
   static constexpr int neighbour_capacity = 14;
   static constexpr bool energy_ledger = true;
+};
+
+struct Base : Rest {
+  static constexpr int particle_count = 8;
+  static constexpr double diameter = 0.01, density = 1000;
+};
+
+/// The same with two sizes; it has no one diameter and density.
+struct Sizes : Rest {
+  static constexpr int particle_count = 8;
+  static constexpr double largest_diameter = 0.01, smallest_diameter = 0.005, reference_density = 1000;
+  static constexpr double mean_volume = 3.14159265358979323846 / 6 * (2 * 1e-6 + 6 * 1.25e-7) / 8;
+  static constexpr int species_count = 2;
+  static constexpr const char* species_names[] = {"large", "small"};
+  static constexpr SizeRun sizes[] = {{2, 0.01, 1000, 0}, {6, 0.005, 2000, 1}};
 };
 
 /// What a user of a case writes; instantiating it is what must fail.

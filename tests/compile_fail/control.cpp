@@ -1,5 +1,5 @@
 // The control: the base case itself, its linear twin, one with gas, one particle in gas in a vertical pipe, one in
-// mixed precision and two with rolling resistance must compile.
+// mixed precision, two with rolling resistance and two with several sizes must compile.
 #include "base.hpp"
 
 namespace fixdem::compile_fail {
@@ -25,6 +25,10 @@ struct Rolling : Base {
 struct RollingOnWalls : Base {
   static constexpr double friction = 0, wall_friction = 0.3, wall_rolling_friction = 0.05;
 };
+struct SizesInGas : Sizes {
+  static constexpr bool has_gas = true;
+  static constexpr double gas_velocity = 2.4, gas_density = 1.2, gas_viscosity = 1.5e-5;  // Ergun's d: of each slice
+};
 template int use<Base>();
 template int use<Linear>();
 template int use<Gas>();
@@ -32,4 +36,6 @@ template int use<GrainInGas>();
 template int use<Mixed>();
 template int use<Rolling>();
 template int use<RollingOnWalls>();
+template int use<Sizes>();
+template int use<SizesInGas>();
 }  // namespace fixdem::compile_fail

@@ -1,16 +1,19 @@
-// The contact law in its textbook form: coefficients and the force of one contact.
+// The contact law in its textbook form: the force of one contact.
 //
 // Written from the equations of Tsuji, Tanaka & Ishida (1992), one line each, in 3-vectors of Eigen, independently of
 // the kernel: from the kernel's folder it takes nothing but the names of the choices (kernel/case.hpp). Everything is
 // derived here from the case's material. SI units. n is the unit vector from i to j (at a wall: outwards), the
-// relative velocity is v_i - v_j, and the force returned is the one on i.
+// relative velocity is v_i - v_j, and the force returned is the one on i. Spheres of several sizes:
+//
+//   (44)  v_s = v_r - (v_r.n) n + (r_i omega_i + r_j omega_j) x n; torques r_i n x f_t on i, r_j n x f_t on j
+//   (45)  v_s' = (7/2) f_t/M
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "keys_with_defaults.hpp"
+#include "coefficients_reference.hpp"
 #include "rolling_reference.hpp"
 
 // Numbers of particles are int; clang counts their use as an index to -Wconversion.
@@ -19,90 +22,6 @@
 #endif
 
 namespace fixdem::reference {
-
-/// Stiffness and damping of one kind of contact. With Hertz they are the factors of overlap^(3/2), overlap^(1/2) and
-/// overlap^(1/4); with the linear law they are N/m and kg/s.
-template <class Scalar>
-struct Coefficients {
-  Scalar normal_stiffness;
-  Scalar tangential_stiffness;
-  Scalar normal_damping;
-  Scalar tangential_damping;
-  Scalar friction = 0;          ///< Coulomb's coefficient
-  Scalar rolling_friction = 0;  ///< mu_r
-};
-
-template <class Scalar>
-struct SphereProperties {
-  Scalar radius;
-  Scalar mass;
-  Scalar moment_of_inertia;
-};
-
-template <class Case, class Scalar>
-SphereProperties<Scalar> sphere_properties() {
-  const Scalar pi = std::acos(Scalar(-1));
-  const Scalar d = Case::diameter;
-  const Scalar m = pi * d * d * d / 6 * Scalar(Case::density);
-  return {d / 2, m, Scalar(2) / 5 * m * (d / 2) * (d / 2)};
-}
-
-/// Closed form of eq. (30): the damping constant alpha that returns the restitution e.
-template <class Scalar>
-Scalar damping_constant(Scalar e) {
-  const Scalar pi = std::acos(Scalar(-1));
-  return -std::sqrt(Scalar(5)) * std::log(e) / std::sqrt(pi * pi + std::log(e) * std::log(e));
-}
-
-/// Eqs. (23), (26) and (31) for a normal stiffness K and a tangential one; `effective_mass` is M of eq. (26), e the
-/// restitution, mu the friction, mu_r the rolling friction.
-template <class Case, class Scalar>
-Coefficients<Scalar> with_damping(Scalar K, Scalar k_t, Scalar effective_mass, Scalar e, Scalar mu, Scalar mu_r) {
-  const Scalar alpha = damping_constant<Scalar>(e);
-  if (Case::normal == NormalLaw::hertz) {
-    const Scalar eta = alpha * std::sqrt(effective_mass * K);
-    return {K, k_t, eta, eta, mu, mu_r};
-  }
-  if (Case::damping == Damping::critical) {
-    const Scalar m = sphere_properties<Case, Scalar>().mass;
-    return {K, k_t, 2 * std::sqrt(m * K), 2 * std::sqrt(m * k_t), mu, mu_r};
-  }
-  const Scalar beta = alpha / std::sqrt(Scalar(5));
-  const Scalar eta = 2 * beta * std::sqrt(effective_mass * K);
-  return {K, k_t, eta, eta, mu, mu_r};
-}
-
-/// Eqs. (16) and (21), (20).
-template <class Case, class Scalar>
-Coefficients<Scalar> pair_coefficients() {
-  const Scalar e = Case::restitution, mu = Case::friction, mu_r = rolling_friction<Case>();
-  const auto sphere = sphere_properties<Case, Scalar>();
-  const Scalar M = Case::damping_mass == DampingMass::reduced ? sphere.mass / 2 : sphere.mass;
-  if (Case::normal == NormalLaw::linear) {
-    return with_damping<Case, Scalar>(Case::normal_stiffness, Case::tangential_stiffness, M, e, mu, mu_r);
-  }
-  const Scalar E = Case::youngs_modulus, nu = Case::poisson_ratio, r = sphere.radius;
-  const Scalar G = E / (2 * (1 + nu));
-  const Scalar K = std::sqrt(2 * r) * E / (3 * (1 - nu * nu));
-  const Scalar k_t = 2 * std::sqrt(2 * r) * G / (2 - nu);
-  return with_damping<Case, Scalar>(K, k_t, M, e, mu, mu_r);
-}
-
-/// Eqs. (17) and (22), (20). A wall of infinite modulus is rigid.
-template <class Case, class Scalar>
-Coefficients<Scalar> wall_coefficients() {
-  const Scalar e = wall_restitution<Case>(), mu = wall_friction<Case>(), mu_r = wall_rolling_friction<Case>();
-  const auto sphere = sphere_properties<Case, Scalar>();
-  if (Case::normal == NormalLaw::linear) {
-    return with_damping<Case, Scalar>(Case::normal_stiffness, Case::tangential_stiffness, sphere.mass, e, mu, mu_r);
-  }
-  const Scalar E = Case::youngs_modulus, nu = Case::poisson_ratio, r = sphere.radius;
-  const Scalar E_w = Case::wall_youngs_modulus, nu_w = Case::wall_poisson_ratio;
-  const Scalar G = E / (2 * (1 + nu));
-  const Scalar K = 4 * std::sqrt(r) / 3 / ((1 - nu * nu) / E + (1 - nu_w * nu_w) / E_w);
-  const Scalar k_t = 8 * std::sqrt(r) * G / (2 - nu);
-  return with_damping<Case, Scalar>(K, k_t, sphere.mass, e, mu, mu_r);
-}
 
 /// What a contact remembers from step to step, seen from i; first of all its tangential spring.
 template <class Scalar>
@@ -123,17 +42,28 @@ struct Encounter {
   Vector<Scalar> n;
   Vector<Scalar> relative_velocity;
   Scalar predicted_normal_velocity;
-  Vector<Scalar> spin_sum, spin_difference;  ///< omega_i + omega_j, omega_i - omega_j
-  int bodies;                                ///< that the force moves: 2 between spheres, 1 at a wall
+  Vector<Scalar> spin, spin_of_partner;  ///< omega_i, omega_j
+  Bodies<Scalar> bodies;
+
+  /// (r_i omega_i + r_j omega_j) x n of eq. (44), with r_i taken out of the sum, as equal spheres have it.
+  Vector<Scalar> surface_velocity_by_spin() const {
+    const Vector<Scalar> sum = spin + spin_of_partner * (bodies.j.radius / bodies.i.radius);
+    return bodies.i.radius * sum.cross(n);
+  }
+  /// w of eq. (47).
+  Vector<Scalar> rolling_velocity() const {
+    return bodies.reduced_radius * Vector<Scalar>(spin - spin_of_partner).cross(n);
+  }
 };
 
 template <class Scalar>
 struct ContactForce {
   Scalar normal_force = 0;  ///< f_n of eq. (6): negative when it repels
   Vector<Scalar> tangential_force = Vector<Scalar>::Zero();
-  Vector<Scalar> torque = Vector<Scalar>::Zero();          ///< on either sphere, eq. (14)
-  Vector<Scalar> rolling_force = Vector<Scalar>::Zero();   ///< q of eq. (48)
-  Vector<Scalar> rolling_torque = Vector<Scalar>::Zero();  ///< on i, and the opposite on j, eq. (49)
+  Vector<Scalar> torque = Vector<Scalar>::Zero();             ///< on i, eqs. (14), (44)
+  Vector<Scalar> torque_on_partner = Vector<Scalar>::Zero();  ///< on j
+  Vector<Scalar> rolling_force = Vector<Scalar>::Zero();      ///< q of eq. (48)
+  Vector<Scalar> rolling_torque = Vector<Scalar>::Zero();     ///< on i, and the opposite on j, eq. (49)
   Scalar elastic_energy = 0;
   Scalar damping_loss = 0;  ///< J during this step
   Scalar sliding_loss = 0;
@@ -142,26 +72,24 @@ struct ContactForce {
 };
 
 // The ledger. A force works on the mean of the velocities before the step and after it, as far as this contact changes
-// them.
+// them. Velocities change by force times mobility.
 template <class Case, class Scalar>
 Scalar mean_normal_velocity(const Encounter<Scalar>& at, Scalar normal_force) {
-  const Scalar M = sphere_properties<Case, Scalar>().mass / at.bodies;
-  return at.relative_velocity.dot(at.n) + normal_force / M * Scalar(Case::time_step) / 2;
+  return at.relative_velocity.dot(at.n) + normal_force / at.bodies.reduced_mass * Scalar(Case::time_step) / 2;
 }
-/// `force` that drives the velocity, and `other`, which does so at a wall only, where both turn the one sphere alike;
-/// `mobility`: of `force` per body.
-template <class Case, class Scalar>
-Vector<Scalar> mean_of_step(const Encounter<Scalar>& at, const Vector<Scalar>& velocity, const Vector<Scalar>& force,
-                            Scalar mobility, const Vector<Scalar>& other) {
-  const auto sphere = sphere_properties<Case, Scalar>();
-  const Scalar of_other = at.bodies == 1 ? sphere.radius * sphere.radius / sphere.moment_of_inertia : Scalar(0);
-  return velocity + (force * at.bodies * mobility + other * of_other) * Scalar(Case::time_step) / 2;
-}
-
-/// Reduced radius: R* of eq. (47).
-template <class Case, class Scalar>
-Scalar rolling_radius(const Encounter<Scalar>& at) {
-  return sphere_properties<Case, Scalar>().radius / at.bodies;
+template <class Scalar>
+struct Mobilities {
+  Scalar of_slip, of_rolling;  ///< of each velocity by its own force; of_slip is 7/(2 M)
+  Scalar of_other;             ///< of each by the other's force: the two spheres turn by different amounts
+};
+template <class Scalar>
+Mobilities<Scalar> mobilities(const Bodies<Scalar>& bodies) {
+  const auto &i = bodies.i, &j = bodies.j;
+  const Scalar R = bodies.reduced_radius;
+  return {(1 / i.mass + i.radius * i.radius / i.moment_of_inertia) +
+              (1 / j.mass + j.radius * j.radius / j.moment_of_inertia),
+          R * R / i.moment_of_inertia + R * R / j.moment_of_inertia,
+          R * i.radius / i.moment_of_inertia - R * j.radius / j.moment_of_inertia};
 }
 
 /// Eqs. (47) to (49), with k_t and eta of sliding and the elastic part of the normal force; the spring grows for a
@@ -170,9 +98,9 @@ template <class Case, class Scalar>
 RollingForce<Scalar> rolling_force(const Coefficients<Scalar>& c, const Encounter<Scalar>& at, Scalar k_t, Scalar eta,
                                    Scalar elastic_force, Scalar time, Memory<Scalar>& memory) {
   if (c.rolling_friction == 0) return {};
-  const Vector<Scalar> w = rolling_radius<Case>(at) * at.spin_difference.cross(at.n);
   return rolling_resistance<Case, Scalar>(
-      {w, at.n, k_t, eta, c.rolling_friction * elastic_force, time, !(at.overlap > 0)}, memory.rolling);
+      {at.rolling_velocity(), at.n, k_t, eta, c.rolling_friction * elastic_force, time, !(at.overlap > 0)},
+      memory.rolling);
 }
 
 /// Adds what acts along the tangent plane, and its entries in the ledger; `s`: force of the tangential spring.
@@ -180,17 +108,20 @@ template <class Case, class Scalar>
 void add_tangential(const Encounter<Scalar>& at, const Vector<Scalar>& slip, const Vector<Scalar>& f_t,
                     const Vector<Scalar>& s, const SpringEntries<Scalar>& sliding, const RollingForce<Scalar>& rolling,
                     ContactForce<Scalar>& out) {
-  const auto sphere = sphere_properties<Case, Scalar>();
-  const Scalar dt = Case::time_step, r = sphere.radius, R = rolling_radius<Case>(at);
+  const Scalar dt = Case::time_step;
   out.tangential_force = f_t;
-  out.torque = r * at.n.cross(f_t);
+  out.torque = at.bodies.i.radius * at.n.cross(f_t);
+  out.torque_on_partner = at.bodies.j.radius * at.n.cross(f_t);
   out.rolling_force = rolling.q;
-  out.rolling_torque = R * at.n.cross(rolling.q);
+  out.rolling_torque = at.bodies.reduced_radius * at.n.cross(rolling.q);
 
-  const Vector<Scalar> w = R * at.spin_difference.cross(at.n);
-  const Vector<Scalar> mean_slip =
-      mean_of_step<Case>(at, slip, f_t, 1 / sphere.mass + r * r / sphere.moment_of_inertia, rolling.q);
-  const Vector<Scalar> mean_w = mean_of_step<Case>(at, w, rolling.q, R * R / sphere.moment_of_inertia, f_t);
+  const Mobilities<Scalar> mobility = mobilities(at.bodies);
+  const auto mean_of_step = [&](const Vector<Scalar>& velocity, const Vector<Scalar>& force, Scalar of_force,
+                                const Vector<Scalar>& other) {
+    return Vector<Scalar>(velocity + (force * of_force + other * mobility.of_other) * dt / 2);
+  };
+  const Vector<Scalar> mean_slip = mean_of_step(slip, f_t, mobility.of_slip, rolling.q);
+  const Vector<Scalar> mean_w = mean_of_step(at.rolling_velocity(), rolling.q, mobility.of_rolling, f_t);
   out.elastic_energy += sliding.elastic_energy + rolling.entries.elastic_energy;
   out.damping_loss += (-f_t - s).dot(mean_slip) * dt;
   out.sliding_loss += sliding.slider_loss;
@@ -207,7 +138,7 @@ Scalar friction_limit(const Coefficients<Scalar>& c, Scalar normal_force, Scalar
 /// Eqs. (6)-(12), (14) and (47)-(49) for one contact during one step; advances its memory.
 template <class Case, class Scalar>
 ContactForce<Scalar> contact_force(const Coefficients<Scalar>& c, const Encounter<Scalar>& at, Memory<Scalar>& memory) {
-  const Scalar dt = Case::time_step, r = Scalar(Case::diameter) / 2;
+  const Scalar dt = Case::time_step;
   const bool hertz = Case::normal == NormalLaw::hertz;
   const Scalar root = std::sqrt(at.overlap);
   const Scalar k_t = hertz ? c.tangential_stiffness * root : c.tangential_stiffness;
@@ -222,7 +153,7 @@ ContactForce<Scalar> contact_force(const Coefficients<Scalar>& c, const Encounte
   out.damping_loss = eta_n * at.predicted_normal_velocity * mean_normal_velocity<Case>(at, out.normal_force) * dt;
   if (c.friction == 0) return out;
 
-  const Vector<Scalar> slip = at.relative_velocity - v_n * at.n + r * at.spin_sum.cross(at.n);  // eq. (8)
+  const Vector<Scalar> slip = at.relative_velocity - v_n * at.n + at.surface_velocity_by_spin();  // eqs. (8), (44)
   const Vector<Scalar> kept = turned_into_plane(memory.history, at.n);
   Vector<Scalar> before;  // spring force before this step's slip, and after: s, before the minus of eq. (7)
   if (Case::tangential == TangentialLaw::displacement) {

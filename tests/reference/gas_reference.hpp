@@ -6,6 +6,12 @@
 // with the standard library's acos and pow; the whole flow grows with the velocity above the bed, so bisection for that
 // velocity, to the last bit, finds the division whatever the state. SI units, z along the pipe; the gradient is
 // positive when it pushes towards +z.
+//
+// Spheres of several sizes, k for each in the bed of a slice:
+//   (46)   eps = 1 - sum V_k/(A_d dz), V_s = sum V_k v_k/sum V_k, d_32 = sum d_k^3/sum d_k^2
+//   (32')  F_k = G dz A_d (V_k/sum V) (eps d_32/d_k + 1 - eps)
+// and d_32 is the d of the rule for a full slice, and d_g where none is given. Sums are in units of the largest sphere,
+// so that with equal ones they are numbers of particles.
 #pragma once
 
 #include <algorithm>
@@ -18,26 +24,53 @@ namespace fixdem::reference {
 /// What the flow in a slice depends on.
 template <class Scalar>
 struct SliceBed {
-  int count = 0;        ///< bed particles
+  Scalar count = 0;     ///< volume of its bed particles over that of the largest sphere; of equal ones, their number
   Scalar velocity = 0;  ///< V_s, their mean axial velocity
   Scalar top = 0;       ///< h, height of the highest top of a bed particle above the bottom of the pipe
+  Scalar sauter_diameter = 1;  ///< d_32 over the largest diameter
+};
+
+/// Sums of eq. (46) over the bed particles of a slice; diameters over the largest one.
+template <class Scalar>
+struct BedSums {
+  Scalar volume = 0, surface = 0, velocity = 0, top = 0;
+
+  void add(Scalar diameter, Scalar axial_velocity, Scalar top_of_particle) {
+    const Scalar cube = diameter * diameter * diameter;
+    volume += cube;
+    surface += diameter * diameter;
+    velocity += cube * axial_velocity;
+    top = std::max(top, top_of_particle);
+  }
+  SliceBed<Scalar> bed() const {
+    if (volume == 0) return {};
+    return {volume, velocity / volume, top, volume / surface};
+  }
 };
 
 template <class Scalar>
 struct SliceFlow {
   Scalar pressure_gradient = 0;
-  Scalar bed_area = 0;            ///< A_d
-  Scalar void_fraction = 1;       ///< eps
-  Scalar velocity_above = 0;      ///< U_a
-  Scalar velocity_in_bed = 0;     ///< U_d, superficial
-  Scalar force_per_particle = 0;  ///< eq. (32), along z
+  Scalar bed_area = 0;         ///< A_d
+  Scalar void_fraction = 1;    ///< eps
+  Scalar velocity_above = 0;   ///< U_a
+  Scalar velocity_in_bed = 0;  ///< U_d, superficial
+  Scalar mean_force = 0;       ///< along z, per volume of the largest sphere: eq. (32) for equal ones
+  Scalar sauter_diameter = 1;  ///< d_32 over the largest diameter
   bool full = false;
 };
 
-/// Height at which the bed counts: a slice is full when no further particle fits above it.
+/// Eq. (32'), along z, on a bed particle of a diameter over the largest one.
+template <class Scalar>
+Scalar force_in_bed(const SliceFlow<Scalar>& flow, Scalar diameter) {
+  const Scalar eps = flow.void_fraction, share = eps * (flow.sauter_diameter / diameter) + (1 - eps);
+  return flow.mean_force * (diameter * diameter * diameter) * share;
+}
+
+/// Height at which the bed counts: a slice is full when no further particle, of diameter d, fits above it.
 template <class Case, class Scalar>
-Scalar effective_height(Scalar h) {
-  const Scalar D = Case::pipe_diameter, d = Case::diameter;
+Scalar effective_height(Scalar h, Scalar d) {
+  const Scalar D = Case::pipe_diameter;
   h = std::min(h, D);
   if (Case::gas_bed_height == BedHeight::strict) return h;
   if (Case::gas_bed_height == BedHeight::hard) return D - h < d ? D : h;
@@ -55,16 +88,16 @@ Scalar free_gradient(Scalar U, Scalar D_h) {
 
 /// Ergun, eqs. (33)-(35), multiplied out so that w = 0 is no division by zero; w = U_d - V_s.
 template <class Case, class Scalar>
-Scalar bed_gradient(Scalar w, Scalar eps) {
-  const Scalar rho = Case::gas_density, nu = Case::gas_viscosity, d_g = Case::gas_bed_diameter;
+Scalar bed_gradient(Scalar w, Scalar eps, Scalar d_g) {
+  const Scalar rho = Case::gas_density, nu = Case::gas_viscosity;
   const Scalar c = (1 - eps) / (eps * eps * eps);
   return c * (150 * (1 - eps) * nu * rho / (d_g * d_g) * w + Scalar(1.75L) * rho / d_g * w * std::abs(w));
 }
 
 /// The velocity w >= 0 through the bed at a gradient >= 0: the root of the quadratic above, without cancellation.
 template <class Case, class Scalar>
-Scalar bed_velocity(Scalar gradient, Scalar eps) {
-  const Scalar rho = Case::gas_density, nu = Case::gas_viscosity, d_g = Case::gas_bed_diameter;
+Scalar bed_velocity(Scalar gradient, Scalar eps, Scalar d_g) {
+  const Scalar rho = Case::gas_density, nu = Case::gas_viscosity;
   const Scalar c = (1 - eps) / (eps * eps * eps);
   const Scalar a = c * Scalar(1.75L) * rho / d_g, b = c * 150 * (1 - eps) * nu * rho / (d_g * d_g);
   return 2 * gradient / (b + std::sqrt(b * b + 4 * a * gradient));
@@ -85,8 +118,11 @@ Scalar bisection(Scalar upper, Scalar value, Function f) {
 template <class Case, class Scalar>
 SliceFlow<Scalar> slice_flow(const SliceBed<Scalar>& bed) {
   const Scalar pi = std::acos(Scalar(-1));
-  const Scalar D = Case::pipe_diameter, R = D / 2, d = Case::diameter, U = Case::gas_velocity;
+  const Scalar D = Case::pipe_diameter, R = D / 2, d = 2 * largest_radius<Case, Scalar>(), U = Case::gas_velocity;
   const Scalar dz = Scalar(Case::pipe_length) / Case::slice_count, A = pi * R * R, V_p = pi * d * d * d / 6;
+  const Scalar d_32 = bed.sauter_diameter * d;
+  const Scalar d_g = Case::gas_bed_diameter > 0 ? Scalar(Case::gas_bed_diameter) : d_32;
+  const Scalar least_void_fraction = lists_sizes<Case> ? Scalar(0.20L) : Scalar(0.35L);  // mixtures pack closer
 
   SliceFlow<Scalar> flow;
   if (bed.count == 0) {
@@ -94,36 +130,39 @@ SliceFlow<Scalar> slice_flow(const SliceBed<Scalar>& bed) {
     flow.pressure_gradient = free_gradient<Case>(U, D);
     return flow;
   }
-  const Scalar h = effective_height<Case>(bed.top);
+  const Scalar h = effective_height<Case>(bed.top, d_32);
   flow.full = D - h < Scalar(1e-6L) * D;
   const Scalar half_angle = std::acos((R - h) / R), half_chord = std::sqrt(std::max(Scalar(0), 2 * R * h - h * h));
   flow.bed_area = flow.full ? A : R * R * half_angle - (R - h) * half_chord;
-  flow.void_fraction = std::clamp(1 - bed.count * V_p / (flow.bed_area * dz), Scalar(0.35L), Scalar(0.95L));
+  flow.void_fraction = std::clamp(1 - bed.count * V_p / (flow.bed_area * dz), least_void_fraction, Scalar(0.95L));
 
   if (flow.full) {
     flow.velocity_in_bed = U;
     flow.velocity_above = U;
-    flow.pressure_gradient = bed_gradient<Case>(U - bed.velocity, flow.void_fraction);
+    flow.pressure_gradient = bed_gradient<Case>(U - bed.velocity, flow.void_fraction, d_g);
   } else {
     const Scalar A_d = flow.bed_area, A_a = A - A_d;
     const Scalar D_h = 4 * A_a / (2 * R * (pi - half_angle) + 2 * half_chord);
     const Scalar excess = A * U - A_d * bed.velocity;  // flow relative to a pipe whose bed rests
     const Scalar sign = excess < 0 ? -1 : 1;
-    const auto through = [&](Scalar u) { return bed_velocity<Case>(free_gradient<Case>(u, D_h), flow.void_fraction); };
+    const auto through = [&](Scalar u) {
+      return bed_velocity<Case>(free_gradient<Case>(u, D_h), flow.void_fraction, d_g);
+    };
     const Scalar above =
         bisection(std::abs(excess) / A_a, std::abs(excess), [&](Scalar u) { return A_a * u + A_d * through(u); });
     flow.pressure_gradient = sign * free_gradient<Case>(above, D_h);
     flow.velocity_above = sign * above;
     flow.velocity_in_bed = sign * through(above) + bed.velocity;
   }
-  flow.force_per_particle = flow.pressure_gradient * dz * flow.bed_area / bed.count;
+  flow.mean_force = flow.pressure_gradient * dz * flow.bed_area / bed.count;
+  flow.sauter_diameter = bed.sauter_diameter;
   return flow;
 }
 
-/// Drag on a sphere that floats in gas of velocity u relative to it.
+/// Drag on a sphere that floats in gas of velocity u relative to it: on particle `id`, or where all are equal, on any.
 template <class Case, class Scalar>
-Vector<Scalar> lone_sphere_drag(const Vector<Scalar>& u) {
-  const Scalar pi = std::acos(Scalar(-1)), d = Case::diameter, speed = u.norm();
+Vector<Scalar> lone_sphere_drag(const Vector<Scalar>& u, int id = 0) {
+  const Scalar pi = std::acos(Scalar(-1)), d = 2 * sphere_properties<Case, Scalar>(id).radius, speed = u.norm();
   if (speed == 0) return Vector<Scalar>::Zero();
   const Scalar Re = speed * d / Scalar(Case::gas_viscosity);
   const Scalar C_d = Re < 1000 ? 24 / Re * (1 + Scalar(0.15L) * std::pow(Re, Scalar(0.687L))) : Scalar(0.44L);

@@ -9,9 +9,8 @@
 //   - damping impulse: G(d_G) - G kept, G = (4/5) eta_0 overlap^(5/4), d_G = d + v dt/2 + (4/5) (1 - y/10) (v_m - v)
 //   dt,
 //     y = (3/2) K d^(1/2) dt^2 / M;
-//   - the tangential spring k_t sinc^2(w dt/2), w^2 = 3.5 k_t/m (wall) or 7 k_t/m (pair), grown by the slip of the
-//   step, or
-//     from the beginning of the contact; damping by the mean of eta along the half steps (the second one to d_G), at
+//   - the tangential spring k_t sinc^2(w dt/2), w^2 = 3.5 k_t/M (45), grown by the slip of the step, or from the
+//     beginning of the contact; damping by the mean of eta along the half steps (the second one to d_G), at
 //     the slip extrapolated to the middle of the step. With the linear law the powers are 1, 0 and 1 in place of 3/2,
 //     1/4 and 5/4;
 //   - rolling resistance with k_t itself, the same mean of eta at the rolling velocity of the step, and the elastic
@@ -40,10 +39,8 @@ Scalar mean_of_power(Scalar a, Scalar b, Scalar power) {
 template <class Case, class Scalar>
 ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encounter<Scalar>& at,
                                      Memory<Scalar>& memory) {
-  const int bodies = at.bodies;
   const Scalar dt = Case::time_step, half = dt / 2;
-  const auto sphere = sphere_properties<Case, Scalar>();
-  const Scalar M = sphere.mass / bodies, d = at.overlap, v = at.relative_velocity.dot(at.n);
+  const Scalar M = at.bodies.reduced_mass, d = at.overlap, v = at.relative_velocity.dot(at.n);
   const bool hertz = Case::normal == NormalLaw::hertz, pressed = d > 0;
   const Scalar elastic_power = hertz ? Scalar(1.5L) : Scalar(1), damping_power = hertz ? Scalar(0.25L) : Scalar(0);
   const Scalar stiffness = hertz && pressed ? c.normal_stiffness * std::sqrt(d) : c.normal_stiffness;
@@ -75,14 +72,14 @@ ContactForce<Scalar> contact_impulse(const Coefficients<Scalar>& c, const Encoun
 
   Scalar k_t = !pressed ? 0 : hertz ? c.tangential_stiffness * std::sqrt(d) : c.tangential_stiffness;
   const Scalar rolling_stiffness = k_t;
-  const Scalar x = std::min(std::sqrt(Scalar(3.5L) * bodies * k_t / sphere.mass) * half, Scalar(1));
+  const Scalar x = std::min(std::sqrt(Scalar(3.5L) * k_t / M) * half, Scalar(1));
   if (x > 0) k_t *= std::sin(x) / x * (std::sin(x) / x);
   const Scalar eta_t = c.tangential_damping * time_mean(damping_power, for_state);
 
   Scalar grows = dt;  // for which the spring grows
   if (found) grows = half;
   if (v > 0 && (begins || found)) grows = std::min(grows, d / v);
-  const Vector<Scalar> surface = at.relative_velocity + sphere.radius * at.spin_sum.cross(at.n);  // eq. (8), with v.n
+  const Vector<Scalar> surface = at.relative_velocity + at.surface_velocity_by_spin();  // eq. (8), with v.n
   const auto tangential = [&](const Vector<Scalar>& u) { return Vector<Scalar>(u - u.dot(at.n) * at.n); };
   const Vector<Scalar> slip = tangential(surface);
   const Vector<Scalar> slip_in_middle = known ? tangential(surface + (surface - memory.surface_velocity) / 2) : slip;

@@ -1,9 +1,10 @@
 // Distances along the pipe, and the pairs of the reference that can touch soon: spares it the visit of all pairs in
 // every step, without changing a bit.
 //
-// A list of all pairs nearer than diameter + margin is complete, for contacts, until two spheres can have closed the
-// margin: as long as twice the maximum travel of any sphere since is less than it. The list keeps the order of pairs,
-// so forces are summed as they would be without it. Used where the reference has many small steps to make.
+// A list of all pairs nearer than diameter + margin (the largest diameter) is complete, for contacts, until two spheres
+// can have closed the margin: as long as twice the maximum travel of any sphere since is less than it. The list keeps
+// the order of pairs, so forces are summed as they would be without it. Used where the reference has many small steps
+// to make.
 #pragma once
 
 #include <utility>

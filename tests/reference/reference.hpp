@@ -32,6 +32,7 @@ class Reference {
     spheres_.resize(Case::particle_count);
     Sphere& s = spheres_[id];
     s = Sphere{};
+    s.own = sphere_properties<Case, Scalar>(id);
     s.x = from_array(p.position), s.v = from_array(p.velocity), s.omega = from_array(p.angular_velocity);
   }
 
@@ -55,7 +56,7 @@ class Reference {
   }
 
   /// Visits listed pairs only: the same results, sooner.
-  void look_ahead(Scalar margin) { near_.look_ahead(2 * sphere.radius, margin); }
+  void look_ahead(Scalar margin) { near_.look_ahead(2 * largest, margin); }
 
   void run(long long steps) {
     for (; steps > 0; --steps) step_once();
@@ -88,8 +89,8 @@ class Reference {
     Energy e = energy_;
     e.kinetic = e.elastic = 0;
     for (const Sphere& s : spheres_) {
-      e.kinetic += static_cast<double>(sphere.mass * s.v.squaredNorm() / 2 +
-                                       sphere.moment_of_inertia * s.omega.squaredNorm() / 2);
+      e.kinetic +=
+          static_cast<double>(s.own.mass * s.v.squaredNorm() / 2 + s.own.moment_of_inertia * s.omega.squaredNorm() / 2);
     }
     for (const auto& [key, contact] : contacts_) e.elastic += static_cast<double>(contact.force.elastic_energy);
     return e;
@@ -117,15 +118,16 @@ class Reference {
     return {to.x() - from.x(), to.y() - from.y(), axial_difference<Case>(to.z(), from.z())};
   }
 
-  /// Calls f(i, j, vector from i to j, distance) for every pair closer than `reach`.
+  /// Calls f(i, j, vector from i to j, distance) for every pair closer than a multiple of the sum of its radii.
   template <class F>
-  void for_each_pair(Scalar reach, F f) {
+  void for_each_pair(Scalar multiple, F f) {
     const auto visit = [&](int i, int j) {
       const Vector3 r = between(i, j);
+      const Scalar reach = multiple * (spheres_[i].own.radius + spheres_[j].own.radius);
       if (std::abs(r.z()) >= reach) return;
       if (const Scalar distance = r.norm(); distance < reach) f(i, j, r, distance);
     };
-    if (near_.serve(reach)) {
+    if (near_.serve(multiple * 2 * largest)) {
       near_.renew(Case::particle_count, [this](int i, int j) { return between(i, j).squaredNorm(); });
       for (const auto& [i, j] : near_.pairs()) visit(i, j);
     } else {
@@ -138,22 +140,19 @@ class Reference {
     return Case::integrator == Integrator::leapfrog ? Vector3(s.v + s.acceleration * dt / 2) : s.v;
   }
 
-  ContactForce<Scalar> touch(Key key, const Coefficients<Scalar>& coefficients, Scalar overlap, const Vector3& n,
-                             const Vector3& relative_velocity, const Vector3& predicted, const Vector3& spin,
-                             const Vector3& spin_of_partner) {
+  ContactForce<Scalar> touch(Key key, Scalar overlap, const Vector3& n, const Vector3& relative_velocity,
+                             const Vector3& predicted, const Vector3& spin, const Vector3& spin_of_partner) {
     Touching& contact = contacts_[key];
-    const Encounter<Scalar> at{overlap,
-                               n,
-                               relative_velocity,
-                               predicted.dot(n),
-                               spin + spin_of_partner,
-                               spin - spin_of_partner,
-                               key.second >= 0 ? 2 : 1};
+    if (contact.last_step < 0) {
+      contact.bodies = bodies_of_contact<Case, Scalar>(key.first, key.second);
+      contact.coefficients = contact_coefficients<Case, Scalar>(key.first, key.second);
+    }
+    const Encounter<Scalar> at{overlap, n, relative_velocity, predicted.dot(n), spin, spin_of_partner, contact.bodies};
     if (Case::integrator == Integrator::impulse) {
       if (step_ == 0) contact.memory.state = -1;
-      contact.force = contact_impulse<Case>(coefficients, at, contact.memory);
+      contact.force = contact_impulse<Case>(contact.coefficients, at, contact.memory);
     } else {
-      contact.force = contact_force<Case>(coefficients, at, contact.memory);
+      contact.force = contact_force<Case>(contact.coefficients, at, contact.memory);
     }
     contact.n = n, contact.overlap = overlap, contact.last_step = step_;
     book(contact.force, energy_);
@@ -170,35 +169,36 @@ class Reference {
   void touch_wall(int i, int wall, Scalar overlap, const Vector3& n) {
     if (!(overlap > 0 || has_just_opened({i, wall}))) return;
     Sphere& s = spheres_[i];
-    const auto f = touch({i, wall}, at_wall, overlap, n, s.v, predicted_velocity(s), s.omega, Vector3::Zero());
+    const auto f = touch({i, wall}, overlap, n, s.v, predicted_velocity(s), s.omega, Vector3::Zero());
     s.force += f.normal_force * n + f.tangential_force;
     s.torque += f.torque + f.rolling_torque;
   }
 
   void contact_forces() {
     for (Sphere& s : spheres_) s.force = s.torque = Vector3::Zero();
-    const Scalar reach = (Case::integrator == Integrator::impulse ? Scalar(1.1L) : Scalar(1)) * 2 * sphere.radius;
+    const Scalar reach = Case::integrator == Integrator::impulse ? Scalar(1.1L) : Scalar(1);
     for_each_pair(reach, [this](int i, int j, const Vector3& between, Scalar distance) {
-      const Scalar overlap = 2 * sphere.radius - distance;
-      if (!(overlap > 0 || has_just_opened({i, j}))) return;
       Sphere &a = spheres_[i], &b = spheres_[j];
+      const Scalar overlap = a.own.radius + b.own.radius - distance;
+      if (!(overlap > 0 || has_just_opened({i, j}))) return;
       const Vector3 n = between / distance;
-      const auto f = touch({i, j}, between_spheres, overlap, n, a.v - b.v,
-                           predicted_velocity(a) - predicted_velocity(b), a.omega, b.omega);
+      const auto f =
+          touch({i, j}, overlap, n, a.v - b.v, predicted_velocity(a) - predicted_velocity(b), a.omega, b.omega);
       const Vector3 force = f.normal_force * n + f.tangential_force;  // eq. (13)
       a.force += force, b.force -= force;
-      a.torque += f.torque + f.rolling_torque, b.torque += f.torque - f.rolling_torque;  // eqs. (14), (49)
+      a.torque += f.torque + f.rolling_torque, b.torque += f.torque_on_partner - f.rolling_torque;  // eqs. (14), (49)
     });
     for (int i = 0; i < Case::particle_count; ++i) {
       const Vector3 x = spheres_[i].x;
+      const Scalar r = spheres_[i].own.radius;
       if (Case::has_wall) {
         const Scalar q = std::sqrt(x.x() * x.x() + x.y() * x.y());
-        const Scalar overlap = q - (Scalar(Case::pipe_diameter) / 2 - sphere.radius);
+        const Scalar overlap = q - (Scalar(Case::pipe_diameter) / 2 - r);
         if (q > 0) touch_wall(i, pipe_wall, overlap, Vector3(x.x() / q, x.y() / q, 0));
       }
       if (Case::ends == Ends::closed) {
-        touch_wall(i, lower_end, sphere.radius - x.z(), Vector3(0, 0, -1));
-        touch_wall(i, upper_end, x.z() - (length - sphere.radius), Vector3(0, 0, 1));
+        touch_wall(i, lower_end, r - x.z(), Vector3(0, 0, -1));
+        touch_wall(i, upper_end, x.z() - (length - r), Vector3(0, 0, 1));
       }
     }
     std::erase_if(contacts_, [this](const auto& entry) {
@@ -208,13 +208,13 @@ class Reference {
     });
   }
 
-  /// A sphere floats when no other centre is within 1.1 d and it does not touch the lower half of the wall.
+  /// A sphere floats when no other centre is within 1.1 (r_i + r_j) and it does not touch the lower half of the wall.
   void tell_floaters() {
     for (Sphere& s : spheres_) {
       const Scalar q = std::sqrt(s.x.x() * s.x.x() + s.x.y() * s.x.y());
-      s.floats = !(q > Scalar(Case::pipe_diameter) / 2 - sphere.radius && s.x.y() < 0);
+      s.floats = !(q > Scalar(Case::pipe_diameter) / 2 - s.own.radius && s.x.y() < 0);
     }
-    for_each_pair(Scalar(1.1L) * 2 * sphere.radius,
+    for_each_pair(Scalar(1.1L),
                   [this](int i, int j, const Vector3&, Scalar) { spheres_[i].floats = spheres_[j].floats = false; });
   }
 
@@ -224,23 +224,19 @@ class Reference {
   }
 
   void update_gas() {
-    std::vector<SliceBed<Scalar>> beds(Case::slice_count);
+    std::vector<BedSums<Scalar>> beds(Case::slice_count);
     for (const Sphere& s : spheres_) {
       if (s.floats) continue;
-      SliceBed<Scalar>& bed = beds[slice_of(s)];
-      bed.count += 1;
-      bed.velocity += s.v.z();
-      bed.top = std::max(bed.top, s.x.y() + Scalar(Case::pipe_diameter) / 2 + sphere.radius);
+      const Scalar top = s.x.y() + Scalar(Case::pipe_diameter) / 2 + s.own.radius;
+      beds[slice_of(s)].add(s.own.radius / largest, s.v.z(), top);
     }
     slices_.clear();
-    for (SliceBed<Scalar>& bed : beds) {
-      if (bed.count > 0) bed.velocity /= bed.count;
-      slices_.push_back(slice_flow<Case>(bed));
-    }
-    for (Sphere& s : spheres_) {
+    for (const BedSums<Scalar>& sums : beds) slices_.push_back(slice_flow<Case>(sums.bed()));
+    for (int i = 0; i < Case::particle_count; ++i) {
+      Sphere& s = spheres_[i];
       const SliceFlow<Scalar>& flow = slices_[slice_of(s)];
-      s.gas_force = Vector3(0, 0, flow.force_per_particle);
-      if (s.floats) s.gas_force = lone_sphere_drag<Case, Scalar>(Vector3(0, 0, flow.velocity_above) - s.v);
+      s.gas_force = Vector3(0, 0, force_in_bed(flow, s.own.radius / largest));
+      if (s.floats) s.gas_force = lone_sphere_drag<Case, Scalar>(Vector3(0, 0, flow.velocity_above) - s.v, i);
     }
   }
 
@@ -248,15 +244,15 @@ class Reference {
     const Vector3 g = from_array(Case::gravity);
     Scalar maximum_way = 0;
     for (Sphere& s : spheres_) {
-      s.acceleration = (s.force + s.gas_force) / sphere.mass + g;  // eq. (1)
+      s.acceleration = (s.force + s.gas_force) / s.own.mass + g;  // eq. (1)
       const Vector3 old_v = s.v;
-      s.v += s.acceleration * dt;                           // eq. (3)
-      s.omega += s.torque / sphere.moment_of_inertia * dt;  // eqs. (2), (5)
+      s.v += s.acceleration * dt;                          // eq. (3)
+      s.omega += s.torque / s.own.moment_of_inertia * dt;  // eqs. (2), (5)
       const Vector3 path = s.v * dt;
       s.x += path;  // eq. (4)
       maximum_way = std::max(maximum_way, path.norm());
       wrap(s);
-      energy_.gravity_work += static_cast<double>(sphere.mass * g.dot(path));
+      energy_.gravity_work += static_cast<double>(s.own.mass * g.dot(path));
       energy_.gas_work += static_cast<double>(s.gas_force.dot((old_v + s.v) / 2) * dt);
     }
     near_.move(maximum_way);
@@ -274,9 +270,7 @@ class Reference {
 
   // Members, because the values of a case may be variables (tools/stability tries one time step after another).
   Scalar dt = Case::time_step;
-  SphereProperties<Scalar> sphere = sphere_properties<Case, Scalar>();
-  Coefficients<Scalar> between_spheres = pair_coefficients<Case, Scalar>();
-  Coefficients<Scalar> at_wall = wall_coefficients<Case, Scalar>();
+  Scalar largest = largest_radius<Case, Scalar>();
 
   std::vector<Sphere> spheres_;
   std::map<Key, Touching> contacts_;

@@ -11,6 +11,7 @@ namespace fixdem::reference {
 template <class Scalar>
 struct SphereState {
   using Vector3 = Vector<Scalar>;
+  SphereProperties<Scalar> own{};
   Vector3 x = Vector3::Zero(), v = Vector3::Zero(), omega = Vector3::Zero();
   Vector3 force = Vector3::Zero(), torque = Vector3::Zero();  ///< of contacts, this step
   Vector3 gas_force = Vector3::Zero();                        ///< held between updates of the gas
@@ -20,11 +21,13 @@ struct SphereState {
 
 template <class Scalar>
 struct ContactState {
+  Bodies<Scalar> bodies;
+  Coefficients<Scalar> coefficients{};
   Memory<Scalar> memory;
   ContactForce<Scalar> force;
   Vector<Scalar> n = Vector<Scalar>::Zero();
   Scalar overlap = 0;
-  long long last_step = -1;
+  long long last_step = -1;  ///< of its last force; below zero: none yet
 };
 
 /// As it was in the last force evaluation; `key`: owner and partner.
