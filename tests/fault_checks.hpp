@@ -115,7 +115,7 @@ inline void check_program(program::SimulationView& view, program::CaseFacts fact
 
   const Snapshot snapshot = take_snapshot(view, facts.particle_count, facts.has_gas ? facts.slice_count : 0);
   const auto around = neighbourhood(facts, snapshot, fault.particle);
-  CHECK(read_bytes(options.out / "fault.vtp") == encode_vtp(snapshot, facts.radius(), VtpData::appended, around));
+  CHECK(read_bytes(options.out / "fault.vtp") == encode_vtp(snapshot, facts, VtpData::appended, around));
   if (fault.particle >= 0) CHECK(std::count(around.begin(), around.end(), fault.particle) == 1);
 
   // Whoever goes on from there meets the same fault.

@@ -15,6 +15,8 @@ using namespace fixdem::program;
 
 namespace {
 
+const ParticleKinds equal{0.01, 1000, 5e-4};
+
 std::vector<Particle> two_particles() {
   return {{{0.001, -0.002, 0.1}, {1, 2, 3}, {4, 5, 6}}, {{0, 0, 0.109}, {-1, 0, 1e-300}, {0, 0, -0.0}}};
 }
@@ -40,7 +42,7 @@ TEST_CASE(
   Snapshot snapshot;
   snapshot.particles = two_particles();
   snapshot.particles[0].velocity[1] = 0.1 + 0.2;
-  const std::string vtp = encode_vtp(snapshot, 0.005, VtpData::text);
+  const std::string vtp = encode_vtp(snapshot, equal, VtpData::text);
   CHECK(vtp.find("appended") == std::string::npos);
   CHECK(vtp.find("AppendedData") == std::string::npos);
   CHECK(vtp.find("<PolyData>\n    <Piece ") != std::string::npos);
@@ -62,9 +64,9 @@ TEST_CASE(
     "frame: the gas's pressure gradient is field data, as long as the pipe has slices; without gas there is none") {
   Snapshot snapshot;
   snapshot.particles.resize(2);
-  CHECK(encode_vtp(snapshot, 0.005).find("pressure_gradient") == std::string::npos);
+  CHECK(encode_vtp(snapshot, equal).find("pressure_gradient") == std::string::npos);
   snapshot.pressure_gradients = {3.5, -1.25, 1e4};
-  const std::string vtp = encode_vtp(snapshot, 0.005);
+  const std::string vtp = encode_vtp(snapshot, equal);
   CHECK(vtp.find("Name=\"pressure_gradient\" NumberOfTuples=\"3\" format=\"appended\" offset=\"0\"") !=
         std::string::npos);
   const std::size_t data = vtp.find('_', vtp.find("<AppendedData")) + 1;

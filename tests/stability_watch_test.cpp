@@ -140,7 +140,7 @@ TEST_CASE("stability watch: warns once, stops beyond the limit, and takes no num
   CHECK(contains(warning, "try [run] time_step = "));
   CHECK_FALSE(warned.look(0.25, touching, overlap));
   CHECK(warned.take_warning().empty());
-  CHECK_FALSE(warned.look(0.25, touching, 0.2 * facts.radius()));
+  CHECK_FALSE(warned.look(0.25, touching, 0.2 * facts.smallest_radius()));
   CHECK(contains(warned.take_warning(), "overlap by 0.2 radii"));
 
   facts.time_step = 1.6 * allowed;

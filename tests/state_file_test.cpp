@@ -69,7 +69,7 @@ TEST_CASE("state file: reads back exactly; any damage is refused and named") {
   std::string newer = bytes;
   newer[12] = 9;
   CHECK(refusal(newer).find("version 9") != std::string::npos);
-  CHECK(refusal(newer).find("reads versions 1 to 2") != std::string::npos);
+  CHECK(refusal(newer).find("reads versions 1 to 4") != std::string::npos);
   // A right checksum over impossible contents: a history of particle 7 of 2.
   StoredState impossible = state;
   impossible.histories[0].partner = 7;

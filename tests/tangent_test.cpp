@@ -90,9 +90,7 @@ TEST_CASE("tangent: with rolling springs the bound that programs watch stays bel
   const std::vector<Contact> corner = {touching(0, -1, 0, -1), touching(0, -2, -1, 0), touching(0, 1, 1, 0),
                                        touching(1, -1, 0, -1), touching(0, 2, 0, 1),   touching(1, 2, -0.6, 0.8)};
   for (const auto& criterion : program::step_criteria) {
-    const SpringNetwork network{3, mass,
-                                stability::springs_of(corner, facts.normal, facts.pair_contact, facts.wall_contact)};
-    const double exact = critical_step(network, criterion);
+    const double exact = critical_step(stability::network_of(facts, corner), criterion);
     const double bound = program::stable_step(facts, criterion, corner).seconds;
     CHECK(bound <= exact);
     CHECK(bound > 0.65 * exact);

@@ -8,7 +8,7 @@
 
 namespace fixdem::program {
 
-/// One line of uses, and one of advice where there is any. Empty when a mark is missing.
-std::string describe_capacities(const std::vector<CapacityUse>&);
+/// One line of uses, and one of advice where there is any, by what a case may set. Empty when a mark is missing.
+std::string describe_capacities(const std::vector<CapacityUse>&, long long most_neighbours = 30);
 
 }  // namespace fixdem::program

@@ -17,6 +17,7 @@ const char* precision_name(Precision precision) { return precision == Precision:
 
 std::vector<std::string> features(const CaseFacts& facts) {
   std::vector<std::string> list;
+  if (facts.has_sizes()) list.push_back("several_sizes");
   list.push_back(facts.normal == NormalLaw::hertz ? "hertz" : "linear");
   if (facts.has_rotation) {
     list.push_back(facts.tangential == TangentialLaw::displacement ? "displacement"

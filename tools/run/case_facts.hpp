@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/case.hpp"
+#include "particle_kinds.hpp"
 
 namespace fixdem::program {
 
@@ -17,7 +17,7 @@ struct ContactCoefficients {
   double rolling_friction = 0;
 };
 
-struct CaseFacts {
+struct CaseFacts : ParticleKinds {
   const char* name;
   const char* title;
   const char* source;
@@ -25,7 +25,6 @@ struct CaseFacts {
   const char* keys = "";  ///< "[table] key = value", one a line; empty in a case that casegen has not written
 
   int particle_count;
-  double diameter, density, mass;
   double pipe_diameter, pipe_length;
   bool is_periodic, has_wall, has_gas, has_rotation, has_rolling;
   double gas_velocity;
@@ -35,8 +34,8 @@ struct CaseFacts {
   double log_interval, frame_interval, sample_interval;
   double checkpoint_interval;  ///< 0: by the clock
   double reference_speed;
-  double max_overlap;      ///< in radii; the kernel stops beyond
-  double overlap_warning;  ///< in radii
+  double max_overlap;      ///< in radii of the smallest particle; the kernel stops beyond
+  double overlap_warning;  ///< in the same
   double stability_limit;  ///< of the time step, in stable steps (stability_watch.hpp)
   bool text_frames, dump, energy_ledger;
 
@@ -51,6 +50,7 @@ struct CaseFacts {
   Precision precision;
   double stiffness_pair, stiffness_wall;  ///< N/m^1.5 (hertz) or N/m (linear): only for advice about the time step
   ContactCoefficients pair_contact, wall_contact;
+  double pair_radius, pair_mass;  ///< R* and M of pair_contact (contact_kinds.hpp); wall_contact: radius and mass
 
   StartKind start;
   unsigned long long seed;
@@ -63,8 +63,8 @@ struct CaseFacts {
   const char* compiler;
   const char* kernel;  ///< checksum of its source, where make gave one
 
-  double radius() const { return diameter / 2; }
-  double solid_volume() const { return mass / density; }  ///< of one particle, m3
+  /// What [capacity] neighbours may be at most.
+  int most_neighbours() const { return has_sizes() ? 160 : 30; }
 };
 
 /// What the compiler was allowed to use, from its own macros.
@@ -102,10 +102,10 @@ template <class Case>
 constexpr CaseFacts case_facts() {
   using D = Derived<Case>;
   CaseFacts f{};
+  static_cast<ParticleKinds&>(f) = particle_kinds<Case>();
   f.name = Case::name, f.title = Case::title, f.source = Case::source, f.source_hash = Case::source_hash;
   if constexpr (requires { Case::keys; }) f.keys = Case::keys;
   f.particle_count = Case::particle_count;
-  f.diameter = Case::diameter, f.density = Case::density, f.mass = D::mass;
   f.has_rotation = D::has_rotation, f.has_rolling = D::has_rolling, f.friction_limit = D::friction_limit;
   f.pipe_diameter = Case::pipe_diameter, f.pipe_length = Case::pipe_length;
   f.is_periodic = D::is_periodic, f.has_wall = Case::has_wall, f.has_gas = Case::has_gas;
@@ -129,6 +129,7 @@ constexpr CaseFacts case_facts() {
   f.wall_contact = {
       D::stiffness_wall, D::tangential_stiffness_wall, D::damping_wall,         D::tangential_damping_wall,
       D::wall_friction,  D::wall_restitution,          D::wall_rolling_friction};
+  f.pair_radius = D::reduced_radius_pair, f.pair_mass = D::reduced_mass_pair;
   f.start = Case::start, f.seed = Case::seed, f.start_velocity = Case::start_velocity;
   f.start_keeps_motion = Case::start_keeps_motion, f.start_from = Case::start_from, f.placed = Case::placed;
   f.instruction_set = compiled_instruction_set();

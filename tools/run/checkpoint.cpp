@@ -6,6 +6,7 @@
 #include <set>
 
 #include "binary_file.hpp"
+#include "running_hash.hpp"
 #include "schedule.hpp"
 
 namespace fixdem::program {
@@ -38,6 +39,18 @@ void append_keys(const CaseFacts& facts, Identity& list) {
   }
 }
 
+/// Of every particle, as they are and not as they were asked for.
+std::string hash_of_sizes(const CaseFacts& facts) {
+  RunningHash hash;
+  for (int id = 0; id < facts.particle_count; ++id) {
+    const double values[2] = {facts.diameter_of(id), facts.density_of(id)};
+    const int species = facts.species_of(id);
+    hash.add(values, sizeof values);
+    hash.add(&species, sizeof species);
+  }
+  return fmt::format("{:016x}", hash.value());
+}
+
 const std::string* find(const Identity& identity, const std::string& name) {
   const auto at =
       std::find_if(identity.begin(), identity.end(), [&](const auto& entry) { return entry.first == name; });
@@ -59,6 +72,7 @@ Identity identity(const CaseFacts& facts, SimulationView& view) {
                    {"kernel (checksum of its source)", facts.kernel},
                    {"program", program_version}};
   append_keys(facts, list);
+  if (facts.has_sizes()) list.emplace_back("diameters, densities and species (XXH64)", hash_of_sizes(facts));
   for (const CapacityUse& use : view.capacities()) list.emplace_back("room for " + use.name, std::to_string(use.limit));
   list.emplace_back("bytes of the simulation", std::to_string(view.memory().size()));
   return list;

@@ -40,8 +40,8 @@ struct Checkpoint {
   std::string simulation, program;
 };
 
-/// Of this program. Keys of the case that a run may change on the way are left out: title, duration,
-/// reference_speed and checkpoint_interval.
+/// Of this program: the values of its keys, and with several sizes a hash of what each particle is. Keys of the case
+/// that a run may change on the way are left out: title, duration, reference_speed and checkpoint_interval.
 Identity identity(const CaseFacts&, SimulationView&);
 /// What of that summary.json says, too: the case by its file's hash.
 Identity brief_identity(const CaseFacts&);

@@ -46,7 +46,7 @@ CollisionTracker::CollisionTracker(const CaseFacts& facts) : facts_(facts) {
 /// Overlap and normal from the positions.
 void CollisionTracker::locate(Candidate& c) const {
   const double* x = particles_[static_cast<std::size_t>(c.owner)].position;
-  const double radius = facts_.radius();
+  const double radius = facts_.radius_of(c.owner);
   const auto set = [&c](double overlap, double nx, double ny, double nz) {
     c.overlap = overlap;
     c.normal[0] = nx, c.normal[1] = ny, c.normal[2] = nz;
@@ -62,11 +62,11 @@ void CollisionTracker::locate(Candidate& c) const {
     const double* y = particles_[static_cast<std::size_t>(c.partner)].position;
     Vector d{y[0] - x[0], y[1] - x[1], y[2] - x[2]};
     if (facts_.is_periodic) d[2] -= facts_.pipe_length * std::round(d[2] / facts_.pipe_length);
-    const double distance = length(d);
+    const double distance = length(d), touching = radius + facts_.radius_of(c.partner);
     if (distance > 0)
-      set(facts_.diameter - distance, d[0] / distance, d[1] / distance, d[2] / distance);
+      set(touching - distance, d[0] / distance, d[1] / distance, d[2] / distance);
     else
-      set(facts_.diameter, 0, 0, 1);
+      set(touching, 0, 0, 1);
   }
 }
 
@@ -75,11 +75,13 @@ CollisionTracker::Encounter CollisionTracker::encounter(const Candidate& c, cons
   const Particle& i = particles_[static_cast<std::size_t>(c.owner)];
   static const Particle still{};
   const Particle& j = c.partner >= 0 ? particles_[static_cast<std::size_t>(c.partner)] : still;
+  const double radius = facts_.radius_of(c.owner);
+  const double quotient = c.partner >= 0 ? facts_.radius_of(c.partner) / radius : 1;  // of the partner's radius over it
   double spin[3];
   for (int k = 0; k < 3; ++k) {
     e.normal[k] = normal[k];
     e.velocity[k] = i.velocity[k] - j.velocity[k];
-    spin[k] = facts_.radius() * (i.angular_velocity[k] + j.angular_velocity[k]);
+    spin[k] = radius * (i.angular_velocity[k] + quotient * j.angular_velocity[k]);
   }
   const Vector of_spin = cross(spin, normal);  // eq. (8)
   const Vector slip = tangential(e.velocity, normal);

@@ -5,18 +5,69 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact_kinds.hpp"
 #include "contact_time.hpp"
 
 namespace fixdem::program {
 namespace {
 
-/// The least of `time(reduced mass, stiffness)` over the kinds of contact that the case can have.
+/// The least of `time(reduced mass, stiffness)` over the kinds of contact that the case can have, and what touches
+/// there.
+struct ShortestContact {
+  double seconds = INFINITY;
+  std::string between;  ///< " of large with small"; empty where all particles are equal
+};
+
+std::string kind_name(const CaseFacts& facts, const ParticleKind& kind) {
+  if (facts.has_species()) return facts.species[kind.species];
+  return kind.diameter == facts.smallest_diameter ? "smallest" : "largest";
+}
+
 template <class Time>
-double shortest_contact(const CaseFacts& facts, Time&& time) {
-  double shortest = INFINITY;
-  if (facts.particle_count > 1) shortest = std::min(shortest, time(facts.mass / 2, facts.stiffness_pair));
-  if (facts.has_wall || !facts.is_periodic) shortest = std::min(shortest, time(facts.mass, facts.stiffness_wall));
+ShortestContact shortest_contact(const CaseFacts& facts, Time&& time) {
+  ShortestContact shortest;
+  const auto look_at = [&](double mass, double stiffness, const auto& name) {
+    if (const double seconds = time(mass, stiffness); seconds < shortest.seconds) shortest = {seconds, name()};
+  };
+  const auto equal = [] { return std::string(); };
+  const bool has_walls = facts.has_wall || !facts.is_periodic;
+  if (!facts.has_sizes()) {
+    if (facts.particle_count > 1) look_at(facts.mass / 2, facts.stiffness_pair, equal);
+    if (has_walls) look_at(facts.mass, facts.stiffness_wall, equal);
+    return shortest;
+  }
+  const std::vector<CountedKind> kinds = counted_kinds(facts, facts.particle_count);
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const ParticleKind& a = kinds[i].kind;
+    for (std::size_t j = i; j < kinds.size(); ++j) {
+      const ParticleKind& b = kinds[j].kind;
+      // Of a continuous distribution the smallest stands for those that are nearly as small.
+      if (i == j && kinds[i].count < 2 && facts.has_species()) continue;
+      look_at(reduced_mass(a, b), pair_coefficients(facts, a, b).stiffness,
+              [&] { return fmt::format(" of {} with {}", kind_name(facts, a), kind_name(facts, b)); });
+    }
+    if (has_walls)
+      look_at(a.mass(), wall_coefficients(facts, a).stiffness,
+              [&] { return fmt::format(" of {} with the wall", kind_name(facts, a)); });
+  }
   return shortest;
+}
+
+/// At this approach speed.
+ShortestContact shortest_at(const CaseFacts& facts, double speed) {
+  return shortest_contact(facts, [&](double mass, double stiffness) {
+    return facts.normal == NormalLaw::linear ? linear_contact_time(mass, stiffness)
+                                             : hertz_contact_time(mass, stiffness, speed);
+  });
+}
+
+/// With this maximum overlap.
+ShortestContact shortest_with(const CaseFacts& facts, double max_overlap) {
+  return shortest_contact(facts, [&](double mass, double stiffness) {
+    return facts.normal == NormalLaw::linear
+               ? linear_contact_time(mass, stiffness)
+               : hertz_contact_time(mass, stiffness, hertz_impact_speed(mass, stiffness, max_overlap));
+  });
 }
 
 /// Two digits, rounded down: 2.93e-6 -> 2.9e-6.
@@ -27,33 +78,27 @@ double two_digits_below(double x) {
 
 }  // namespace
 
-double contact_time(const CaseFacts& facts, double speed) {
-  return shortest_contact(facts, [&](double mass, double stiffness) {
-    return facts.normal == NormalLaw::linear ? linear_contact_time(mass, stiffness)
-                                             : hertz_contact_time(mass, stiffness, speed);
-  });
-}
+double contact_time(const CaseFacts& facts, double speed) { return shortest_at(facts, speed).seconds; }
 
-double contact_time_of(const CaseFacts& facts, double max_overlap) {
-  return shortest_contact(facts, [&](double mass, double stiffness) {
-    return facts.normal == NormalLaw::linear
-               ? linear_contact_time(mass, stiffness)
-               : hertz_contact_time(mass, stiffness, hertz_impact_speed(mass, stiffness, max_overlap));
-  });
+double contact_time_of(const CaseFacts& facts, double max_overlap) { return shortest_with(facts, max_overlap).seconds; }
+
+const char* overlap_unit(const CaseFacts& facts) {
+  return facts.has_sizes() ? "radii of the smallest particle" : "radii";
 }
 
 std::string contact_warning(const CaseFacts& facts, double deepest_overlap) {
   const bool is_measured = deepest_overlap > 0;
   if (!is_measured && !(facts.reference_speed > 0) && facts.normal == NormalLaw::hertz) return "";
-  const double duration =
-      is_measured ? contact_time_of(facts, deepest_overlap) : contact_time(facts, facts.reference_speed);
+  const auto [duration, between] =
+      is_measured ? shortest_with(facts, deepest_overlap) : shortest_at(facts, facts.reference_speed);
   const double steps = duration / facts.time_step;
   if (!(steps < fewest_steps_per_contact)) return "";
   return fmt::format(
-      "fixdem: warning: [run] time_step = {} gives only {:.1f} steps per contact at {}; at least {:.0f} are needed for "
-      "a true rebound: results may be wrong\n  try time_step = {:.2g}, or a softer material\n",
-      facts.time_step, steps,
-      is_measured ? fmt::format("the deepest overlap so far, {:.2g} radii", deepest_overlap / facts.radius())
+      "fixdem: warning: [run] time_step = {} gives only {:.1f} steps per contact{} at {}; at least {:.0f} are needed "
+      "for a true rebound: results may be wrong\n  try time_step = {:.2g}, or a softer material\n",
+      facts.time_step, steps, between,
+      is_measured ? fmt::format("the deepest overlap so far, {:.2g} {}", deepest_overlap / facts.smallest_radius(),
+                                overlap_unit(facts))
                   : fmt::format("{:.4g} m/s", facts.reference_speed),
       fewest_steps_per_contact, two_digits_below(duration / fewest_steps_per_contact));
 }
@@ -103,7 +148,9 @@ ExitCode fault_exit_code(Fault fault) {
 }
 
 std::string fault_sentence(const CaseFacts& facts, const Status& status) {
-  const std::string who = status.particle >= 0 ? fmt::format("particle {}", status.particle) : "the simulation";
+  std::string who = status.particle >= 0 ? fmt::format("particle {}", status.particle) : "the simulation";
+  if (status.particle >= 0 && facts.has_sizes())
+    who += fmt::format(" (diameter {:.4g} m)", facts.diameter_of(status.particle));
   switch (status.fault) {
     case Fault::neighbour_capacity:
       return fmt::format("{} has {} near neighbours (limit {})", who, status.value, status.limit);
@@ -113,9 +160,11 @@ std::string fault_sentence(const CaseFacts& facts, const Status& status) {
       return fmt::format("{} has left the pipe of {} m x {} m: its centre is at {:.6g} m (limit {:.6g} m)", who,
                          facts.pipe_diameter, facts.pipe_length, status.value, status.limit);
     case Fault::overlap:
-      return fmt::format("{} has an overlap of {:.3g} radii (limit {:.3g})", who, status.value, status.limit);
+      return fmt::format("{} has an overlap of {:.3g} {} (limit {:.3g})", who, status.value, overlap_unit(facts),
+                         status.limit);
     case Fault::too_fast:
-      return fmt::format("{} moves {:.3g} radii in one step (limit {:.3g})", who, status.value, status.limit);
+      return fmt::format("{} moves {:.3g} {} in one step (limit {:.3g})", who, status.value, overlap_unit(facts),
+                         status.limit);
     case Fault::order_lost:
       return fmt::format("{} became more than {} times as fast within {} steps", who, speed_growth, order_interval);
     default:
@@ -127,14 +176,17 @@ std::string fault_advice(const CaseFacts& facts, const Status& status, double sp
   switch (status.fault) {
     case Fault::neighbour_capacity:
     case Fault::pair_capacity:
-      return "raise [capacity] neighbours in the case file (at most 30) and build again";
+      return fmt::format("raise [capacity] neighbours in the case file (at most {}) and build again",
+                         facts.most_neighbours());
     case Fault::chunk_capacity:
       return "more particles lie beside each other than touching ones in a pipe of [pipe] diameter: they overlap "
              "deeply, or "
              "the case has no wall to hold them";
     case Fault::history_capacity:
-      return "there are more than six contacts for each particle, which spheres that do not overlap cannot have: "
-             "lower [run] time_step, or max_overlap so that the run stops where it begins";
+      return fmt::format(
+          "there are more than {} contacts for each particle, which spheres that do not overlap cannot have: "
+          "lower [run] time_step, or max_overlap so that the run stops where it begins",
+          facts.has_sizes() ? "seven and a half" : "six");
     case Fault::gas_unsolved:
       return "the gas flow of a slice has no solution in floating point: check [gas] bulk_velocity, density and "
              "kinematic_viscosity";

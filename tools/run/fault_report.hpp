@@ -13,7 +13,10 @@ namespace fixdem::program {
 const char* fault_name(Fault);
 ExitCode fault_exit_code(Fault);
 
-/// "particle 318 has an overlap of 0.61 radii (limit 0.5)"
+/// What overlaps and ways are told in: "radii", with several sizes of the smallest particle.
+const char* overlap_unit(const CaseFacts&);
+
+/// "particle 318 has an overlap of 0.61 radii (limit 0.5)"; with several sizes the particle's diameter is named.
 std::string fault_sentence(const CaseFacts&, const Status&);
 
 /// What to change. For an unstable run the time step is compared with the duration of a contact at `speed` (maximum
@@ -24,8 +27,8 @@ std::string fault_advice(const CaseFacts&, const Status&, double speed);
 /// far, m, or before there is one by the speed that the case expects.
 std::string contact_warning(const CaseFacts&, double deepest_overlap);
 
-/// Duration of the shortest contact that the case can have, of two particles or with a wall, without damping, at this
-/// approach speed, s (contact_time.hpp). Infinite where nothing can touch.
+/// Duration of the shortest contact that the case can have, of two particles of any kinds or with a wall, without
+/// damping, at this approach speed, s (contact_time.hpp). Infinite where nothing can touch.
 double contact_time(const CaseFacts&, double speed);
 /// The same of an impact with this maximum overlap, m.
 double contact_time_of(const CaseFacts&, double max_overlap);

@@ -51,6 +51,12 @@ class ArrayWriter {
   std::string bytes_;
 };
 
+bool densities_differ(const ParticleKinds& kinds, std::size_t particle_count) {
+  for (std::size_t id = 0; id < particle_count; ++id)
+    if (kinds.density_of(static_cast<int>(id)) != kinds.density) return true;
+  return false;
+}
+
 using Triple = double[3];
 
 std::vector<double> flat(const Snapshot& snapshot, const std::vector<int>& chosen,
@@ -66,19 +72,23 @@ std::vector<double> flat(const Snapshot& snapshot, const std::vector<int>& chose
 
 }  // namespace
 
-std::string encode_vtp(const Snapshot& snapshot, double radius, VtpData kind) {
+std::string encode_vtp(const Snapshot& snapshot, const ParticleKinds& kinds, VtpData kind) {
   std::vector<int> all(snapshot.particles.size());
   std::iota(all.begin(), all.end(), 0);
-  return encode_vtp(snapshot, radius, kind, all);
+  return encode_vtp(snapshot, kinds, kind, all);
 }
 
-std::string encode_vtp(const Snapshot& snapshot, double radius, VtpData kind, const std::vector<int>& chosen) {
+std::string encode_vtp(const Snapshot& snapshot, const ParticleKinds& kinds, VtpData kind,
+                       const std::vector<int>& chosen) {
   const std::size_t n = chosen.size();
-  std::vector<std::int32_t> id(n), contacts(n);
+  std::vector<std::int32_t> id(n), contacts(n), species(n);
+  std::vector<double> radius(n), density(n);
   std::vector<std::int64_t> connectivity(n), offsets(n);
   const std::vector<int> contact_counts = contacts_per_particle(snapshot);
   for (std::size_t i = 0; i < n; ++i) {
     id[i] = chosen[i];
+    radius[i] = kinds.radius_of(chosen[i]), density[i] = kinds.density_of(chosen[i]);
+    species[i] = kinds.species_of(chosen[i]);
     contacts[i] = contact_counts[static_cast<std::size_t>(chosen[i])];
     connectivity[i] = static_cast<std::int64_t>(i);
     offsets[i] = static_cast<std::int64_t>(i) + 1;
@@ -99,9 +109,12 @@ std::string encode_vtp(const Snapshot& snapshot, double radius, VtpData kind, co
                     flat(snapshot, chosen, [](const Particle& p) -> const Triple& { return p.velocity; }));
   xml += data.array("angular_velocity", "Float64", 3,
                     flat(snapshot, chosen, [](const Particle& p) -> const Triple& { return p.angular_velocity; }));
-  xml += data.array("radius", "Float64", 1, std::vector<double>(n, radius));
+  xml += data.array("radius", "Float64", 1, radius);
   xml += data.array("contacts", "Int32", 1, contacts);
   xml += data.array("id", "Int32", 1, id);
+  // By all particles and not the chosen ones, so that all files of a run have the same arrays.
+  if (densities_differ(kinds, snapshot.particles.size())) xml += data.array("density", "Float64", 1, density);
+  if (kinds.has_species()) xml += data.array("species", "Int32", 1, species);
   xml += "      </PointData>\n      <Verts>\n";
   xml += data.array("connectivity", "Int64", 1, connectivity);
   xml += data.array("offsets", "Int64", 1, offsets);
@@ -114,14 +127,15 @@ std::string encode_vtp(const Snapshot& snapshot, double radius, VtpData kind, co
   return xml + data.appended() + "</VTKFile>\n";
 }
 
-FrameWriter::FrameWriter(std::filesystem::path folder, double radius, VtpData data, std::vector<WrittenFrame> written)
-    : folder_(std::move(folder)), radius_(radius), data_(data), written_(std::move(written)), flushed_(count()) {
+FrameWriter::FrameWriter(std::filesystem::path folder, const ParticleKinds& kinds, VtpData data,
+                         std::vector<WrittenFrame> written)
+    : folder_(std::move(folder)), kinds_(kinds), data_(data), written_(std::move(written)), flushed_(count()) {
   if (count() > 0) list();  // later ones may be in the list that is there
 }
 
 void FrameWriter::write(const Snapshot& snapshot) {
   if (written_.empty()) make_folder(folder_ / "frames");
-  const std::string frame = encode_vtp(snapshot, radius_, data_);
+  const std::string frame = encode_vtp(snapshot, kinds_, data_);
   write_file(frame_path(folder_, count()), frame, Durability::fast);
   RunningHash hash;
   hash.add(frame);

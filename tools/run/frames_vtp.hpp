@@ -5,9 +5,10 @@
 // as text in the XML elements, in as many digits as give the same bits back. OVITO (ParaViewVTPParticleImporter
 // of 3.16) refuses appended data, takes a file for one of particles only if nothing but its Piece comes first, and
 // wants the array of positions to be called Points, as VTK's own writer does. Points in m, velocity in m/s,
-// angular_velocity in rad/s, radius in m, contacts (number per particle), id (input order); one vertex cell per
-// particle, so that ParaView shows the points without a filter. Positions and motion in double precision. The time, the
-// step and, with gas, the pressure gradient of each slice (Pa/m) are field data.
+// angular_velocity in rad/s, radius in m, contacts (number per particle), id (input order), and where particles differ
+// in them density in kg/m3 and species (its number in the case file, from 0); one vertex cell per particle, so that
+// ParaView shows the points without a filter. Positions and motion in double precision. The time, the step and, with
+// gas, the pressure gradient of each slice (Pa/m) are field data.
 #pragma once
 
 #include <filesystem>
@@ -15,15 +16,16 @@
 #include <vector>
 
 #include "output_file.hpp"
+#include "particle_kinds.hpp"
 #include "snapshot.hpp"
 
 namespace fixdem::program {
 
 enum class VtpData { appended, text };
 
-std::string encode_vtp(const Snapshot&, double radius, VtpData = VtpData::appended);
+std::string encode_vtp(const Snapshot&, const ParticleKinds&, VtpData = VtpData::appended);
 /// Of the chosen particles only, which are numbers in input order.
-std::string encode_vtp(const Snapshot&, double radius, VtpData, const std::vector<int>& chosen);
+std::string encode_vtp(const Snapshot&, const ParticleKinds&, VtpData, const std::vector<int>& chosen);
 
 /// A frame that has been written.
 struct WrittenFrame {
@@ -39,7 +41,7 @@ struct WrittenFrame {
 class FrameWriter {
  public:
   /// Begins with those that are there already.
-  FrameWriter(std::filesystem::path folder, double radius, VtpData, std::vector<WrittenFrame> written = {});
+  FrameWriter(std::filesystem::path folder, const ParticleKinds&, VtpData, std::vector<WrittenFrame> written = {});
   void write(const Snapshot&);
   int count() const { return static_cast<int>(written_.size()); }
   const std::vector<WrittenFrame>& written() const { return written_; }
@@ -50,7 +52,7 @@ class FrameWriter {
   void list() const;
 
   std::filesystem::path folder_;
-  double radius_;
+  ParticleKinds kinds_;
   VtpData data_;
   std::vector<WrittenFrame> written_;
   int flushed_;

@@ -23,7 +23,7 @@ void for_each_column(const CaseFacts& facts, const LogRow& row, Visitor&& column
   column("pair contacts", o.contacts);
   column("wall contacts", o.wall_contacts);
   column("coordination number", o.coordination_number);
-  column("max overlap / radius", o.max_overlap / facts.radius());
+  column("max overlap / radius", o.max_overlap / facts.smallest_radius());
   column("max speed [m/s]", o.max_speed);
   column("mean axial velocity [m/s]", o.mean_axial_velocity);
   column("mean height [m]", o.mean_height);
@@ -34,6 +34,9 @@ void for_each_column(const CaseFacts& facts, const LogRow& row, Visitor&& column
     column("plug length [m]", row.plug.length);
     column("plug particle velocity [m/s]", row.plug.particle_velocity);
     column("layer area ratio", row.plug.layer_area_ratio);
+    for (int k = 0; facts.has_species() && k < facts.species_count; ++k)
+      column(fmt::format("mean axial velocity of {} [m/s]", facts.species[k]).c_str(),
+             row.species_velocity.empty() ? 0 : row.species_velocity[static_cast<std::size_t>(k)]);
   }
   if (facts.energy_ledger) {
     column("elastic energy [J]", row.energy.elastic);
@@ -83,7 +86,7 @@ std::string table_row(const CaseFacts& facts, const LogRow& row) {
   const Observation& o = row.observation;
   std::string line = fmt::format("{:>9.6g} {:>11.4e} {:>11.4e} {:>8} {:>6.3f} {:>9.2e} {:>8.4f}", row.time,
                                  o.kinetic_translation, o.kinetic_rotation, o.contacts + o.wall_contacts,
-                                 o.coordination_number, o.max_overlap / facts.radius(), o.max_speed);
+                                 o.coordination_number, o.max_overlap / facts.smallest_radius(), o.max_speed);
   if (facts.has_gas) {
     line += fmt::format(" {:>9.1f} {:>8.4f}", row.plug.pressure_drop, o.mean_axial_velocity);
     line += row.plug.found ? fmt::format(" {:>8.4f}", row.plug.front) : fmt::format(" {:>8}", "-");

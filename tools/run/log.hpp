@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "case_facts.hpp"
 #include "output_file.hpp"
@@ -22,6 +23,7 @@ struct LogRow {
   double balance_error = 0;
   double step_ratio = 0;  ///< time step / stable step (stability_watch.hpp)
   PlugSample plug{};
+  std::vector<double> species_velocity;  ///< mean axial velocity of each species, m/s; with gas and species
 };
 
 class LogFile {

@@ -8,7 +8,7 @@
 
 namespace fixdem::program {
 
-inline constexpr double neighbourhood_reach = 3;  ///< distance of centres, in diameters
+inline constexpr double neighbourhood_reach = 3;  ///< distance of centres, in diameters of the largest particle
 
 /// Numbers of the particles within reach of one, itself among them, across periodic ends too; all when it is -1.
 std::vector<int> neighbourhood(const CaseFacts&, const Snapshot&, int particle);

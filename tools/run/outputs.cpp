@@ -35,7 +35,7 @@ std::string difference(const Options& options, const OutputPosition& position) {
 Outputs::Outputs(const CaseFacts& facts, const Options& options, const OutputPosition* continued)
     : facts_(facts), options_(options), log_(log_path(options), facts, checked_log(options, continued)) {
   if (!options.frames) return;
-  frames_.emplace(options.out, facts.radius(), facts.text_frames ? VtpData::text : VtpData::appended,
+  frames_.emplace(options.out, facts, facts.text_frames ? VtpData::text : VtpData::appended,
                   continued != nullptr ? continued->frames : std::vector<WrittenFrame>{});
   if (!facts.dump) return;
   dump_.emplace(dump_path(options), continued != nullptr && continued->dump ? *continued->dump : FilePosition{});

@@ -70,24 +70,27 @@ SliceProfile empty_profile(const CaseFacts& facts, const std::vector<double>& pr
   return profile;
 }
 
-void count_particle(SliceProfile& profile, double z, double axial_velocity) {
+void count_particle(SliceProfile& profile, double z, double axial_velocity, double volume_share) {
   if (!std::isfinite(z)) return;  // only in the last frame of a run that blew up
   const double last = static_cast<double>(profile.particles.size()) - 0.5;
   const auto k = static_cast<std::size_t>(std::clamp(z / profile.slice_length, 0.0, last));
-  ++profile.particles[k];
-  profile.axial_momentum[k] += axial_velocity;
+  profile.particles[k] += volume_share;
+  profile.axial_momentum[k] += volume_share * axial_velocity;
 }
 
 void set_solids_fractions(SliceProfile& profile, const CaseFacts& facts) {
   const double area = 3.14159265358979324 / 4 * facts.pipe_diameter * facts.pipe_diameter;
-  for (int count : profile.particles)
+  for (const double count : profile.particles)
     profile.solids_fraction.push_back(count * facts.solid_volume() / (area * profile.slice_length));
 }
 
 SliceProfile slice_profile(const CaseFacts& facts, const Snapshot& snapshot,
                            const std::vector<double>& pressure_gradients) {
   SliceProfile profile = empty_profile(facts, pressure_gradients);
-  for (const Particle& p : snapshot.particles) count_particle(profile, p.position[2], p.velocity[2]);
+  for (std::size_t id = 0; id < snapshot.particles.size(); ++id) {
+    const Particle& p = snapshot.particles[id];
+    count_particle(profile, p.position[2], p.velocity[2], facts.volume_share_of(static_cast<int>(id)));
+  }
   set_solids_fractions(profile, facts);
   return profile;
 }

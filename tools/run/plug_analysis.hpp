@@ -1,11 +1,11 @@
 // Finds the plug in a row of slices, and what a run says about it: front velocity, length, layer area ratio.
 //
-// Solids fraction of a slice: centres in it times the volume of a particle, over its volume. Smoothed over three slices
+// Solids fraction of a slice: volume of the particles whose centres are in it, over its own. Smoothed over three slices
 // (fewer at closed ends). The plug is the longest run of slices above 0.40; a gap of one slice is closed, and the pipe
 // is a ring if it is periodic. Its edges are where the line between the centres of two slices crosses 0.40; the front
 // is the edge towards which the gas blows. A pipe that is above 0.40 all round has no front and so no plug. Particle
-// velocity: mean axial velocity of the particles inside the plug, two slices at each end left out. Layer area ratio:
-// mean fraction outside the plug, four slices next to each edge left out, over mean fraction inside. Over a run:
+// velocity: mean axial velocity of the particles inside the plug by volume, two slices at each end left out. Layer area
+// ratio: mean fraction outside the plug, four slices next to each edge left out, over mean fraction inside. Over a run:
 // samples of the second half of its duration. Front velocity: slope of the least-squares line through the unwrapped
 // fronts; everything else: mean over the samples. At least three samples and half of all samples of that window must
 // show a plug, otherwise there is none. Not a number stands for what is not defined. SI units.
@@ -22,10 +22,10 @@ namespace fixdem::program {
 struct SliceProfile {
   double slice_length = 0;  ///< m
   bool is_periodic = true;
-  int direction = 1;                      ///< +1 or -1: where the gas blows along z
-  std::vector<double> solids_fraction;    ///< not smoothed
-  std::vector<double> axial_momentum;     ///< sum of axial velocities of its particles, m/s
-  std::vector<int> particles;             ///< centres in it
+  int direction = 1;                    ///< +1 or -1: where the gas blows along z
+  std::vector<double> solids_fraction;  ///< not smoothed
+  std::vector<double> axial_momentum;   ///< sum of axial velocities times `particles`, m/s
+  std::vector<double> particles;  ///< with centres in it, in volumes of a sphere of reference (particle_kinds.hpp)
   std::vector<double> pressure_gradient;  ///< of the gas, Pa/m
 };
 
@@ -51,9 +51,10 @@ struct PlugResult {
 };
 
 /// A profile in three parts, for particles that are spread over several programs: no particles yet; one more of them,
-/// whose place may be anywhere; and solids fractions, once all particles are counted.
+/// whose place may be anywhere, with its volume over that of the sphere of reference; and solids fractions, once all
+/// particles are counted.
 SliceProfile empty_profile(const CaseFacts&, const std::vector<double>& pressure_gradients);
-void count_particle(SliceProfile&, double z, double axial_velocity);
+void count_particle(SliceProfile&, double z, double axial_velocity, double volume_share = 1);
 void set_solids_fractions(SliceProfile&, const CaseFacts&);
 
 SliceProfile slice_profile(const CaseFacts&, const Snapshot&, const std::vector<double>& pressure_gradients);

@@ -14,7 +14,7 @@ constexpr int samples = 8;  // of a particle's diameter, each way
 }  // namespace
 
 SideView::SideView(const CaseFacts& facts, int columns)
-    : radius_(facts.radius()),
+    : kinds_(facts),
       pipe_radius_(facts.pipe_diameter / 2),
       length_(facts.pipe_length),
       is_periodic_(facts.is_periodic),
@@ -24,12 +24,13 @@ SideView::SideView(const CaseFacts& facts, int columns)
 
 void SideView::draw(const Snapshot& snapshot) {
   std::fill(cells_.begin(), cells_.end(), Cell{});
-  const double step = 2 * radius_ / samples;
-  for (const Particle& p : snapshot.particles)
+  for (std::size_t id = 0; id < snapshot.particles.size(); ++id) {
+    const Particle& p = snapshot.particles[id];
+    const double radius = kinds_.radius_of(static_cast<int>(id)), step = 2 * radius / samples;
     for (int i = 0; i < samples; ++i)
       for (int j = 0; j < samples; ++j) {
-        const double across = (i + 0.5) * step - radius_, up = (j + 0.5) * step - radius_;
-        const double under_root = radius_ * radius_ - across * across - up * up;
+        const double across = (i + 0.5) * step - radius, up = (j + 0.5) * step - radius;
+        const double under_root = radius * radius - across * across - up * up;
         if (under_root <= 0) continue;
         double place = (p.position[2] + across) / length_;
         if (is_periodic_) place -= std::floor(place);
@@ -41,12 +42,14 @@ void SideView::draw(const Snapshot& snapshot) {
         cell.solids += solids;
         cell.momentum += solids * p.velocity[2];
       }
+  }
 }
 
 char SideView::letter(int row, int column) const {
   // Half as deep as the pipe's cross section is at this height, and half a letter more where that would be nothing.
   const double height = pipe_radius_ * (1 - (2 * row + 1.0) / rows_);
-  const double depth = 2 * std::sqrt(std::max(pipe_radius_ * pipe_radius_ - height * height, radius_ * radius_));
+  const double radius = kinds_.largest_radius();
+  const double depth = 2 * std::sqrt(std::max(pipe_radius_ * pipe_radius_ - height * height, radius * radius));
   const double room = depth * (2 * pipe_radius_ / rows_) * (length_ / columns_);
   const double fraction = cells_[index(row, column)].solids / room;
   if (!(fraction > 0)) return letters[0];

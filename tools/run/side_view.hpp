@@ -35,7 +35,8 @@ class SideView {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
 
-  double radius_, pipe_radius_, length_;
+  ParticleKinds kinds_;
+  double pipe_radius_, length_;
   bool is_periodic_;
   int columns_, rows_;
   std::vector<Cell> cells_;

@@ -16,10 +16,12 @@ namespace {
 using Block = std::array<std::array<double, 6>, 6>;
 
 /// Adds normal * n n^T + tangential * (slip form of a contact with normal n) + rolling * (rolling form), over the mass.
+/// n is the owner's; for its partner `side` is -1.
 /// The slip of a particle that moves by x and turns by r theta is (1 - n n^T) x + r theta x n; with I = 2/5 m r^2 its
 /// turning counts sqrt(5/2)-fold. Rolling is lever * r theta x n, of the same turning as the slip: on a wall the two
 /// springs are coupled, and the largest eigenvalue rises from 3.5 to 5.55 times k_t / m.
-void add_contact(Block& block, const double* n, double normal, double tangential, double rolling, double lever) {
+void add_contact(Block& block, const double* n, double side, double normal, double tangential, double rolling,
+                 double lever) {
   static const double turning = std::sqrt(2.5);
   const double cross[3][3] = {{0, n[2], -n[1]}, {-n[2], 0, n[0]}, {n[1], -n[0], 0}};  // theta x n
   for (std::size_t a = 0; a < 3; ++a)
@@ -27,8 +29,8 @@ void add_contact(Block& block, const double* n, double normal, double tangential
       const double along = n[a] * n[b], across = (a == b ? 1 : 0) - along;
       block[a][b] += normal * along + tangential * across;
       block[3 + a][3 + b] += 2.5 * (tangential + lever * lever * rolling) * across;
-      block[a][3 + b] += turning * tangential * cross[a][b];
-      block[3 + b][a] += turning * tangential * cross[a][b];
+      block[a][3 + b] += side * turning * tangential * cross[a][b];
+      block[3 + b][a] += side * turning * tangential * cross[a][b];
     }
 }
 
@@ -58,22 +60,27 @@ double eigenvalue_bound(const Block& stiffness, const Block& damping, double h) 
 }
 
 /// Positive weights of particles, greater the stiffer they and their neighbours are held: a few products with the graph
-/// of contacts, from equal weights. The bound holds for any; these make it tight where few particles are stiffest.
-std::vector<double> weights_of(int particle_count, const std::vector<Contact>& contacts,
+/// of contacts over the masses, from weights m^(-1/2). The bound holds for any; these make it tight where few particles
+/// are stiffest, and where masses differ: the quotient for a pair begins as (m_i / m_j)^(1/2).
+std::vector<double> weights_of(const CaseFacts& facts, const std::vector<Contact>& contacts,
                                const std::vector<double>& held) {
-  constexpr int products = 2;  // more favour a few contacts too much
-  std::vector<double> weight(static_cast<std::size_t>(particle_count), 1.0);
+  constexpr int products = 2;             // more favour a few contacts too much
+  std::vector<double> weight, lightness;  // of the sphere of reference: 1
+  for (int i = 0; i < facts.particle_count; ++i) {
+    lightness.push_back(facts.has_sizes() ? facts.mass / facts.mass_of(i) : 1);
+    weight.push_back(std::sqrt(lightness.back()));
+  }
   for (int k = 0; k < products; ++k) {
     std::vector<double> next(weight.size(), 0.0);
     double maximum = 0;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const auto i = static_cast<std::size_t>(contacts[c].owner);
       if (contacts[c].partner < 0) {
-        next[i] += held[c] * weight[i];
+        next[i] += lightness[i] * held[c] * weight[i];
       } else {
         const auto j = static_cast<std::size_t>(contacts[c].partner);
-        next[i] += held[c] * (weight[i] + weight[j]);
-        next[j] += held[c] * (weight[i] + weight[j]);
+        next[i] += lightness[i] * held[c] * (weight[i] + weight[j]);
+        next[j] += lightness[j] * held[c] * (weight[i] + weight[j]);
       }
     }
     for (const double w : next) maximum = std::fmax(maximum, w);
@@ -111,32 +118,33 @@ StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, c
   std::vector<TangentSpring> springs;
   std::vector<double> held;
   for (const Contact& contact : contacts) {
-    const ContactCoefficients& kind = contact.partner >= 0 ? facts.pair_contact : facts.wall_contact;
+    const ContactCoefficients kind = contact_coefficients(facts, contact.owner, contact.partner);
     springs.push_back(tangent_spring(facts.normal, kind, contact.overlap));
     const double root = facts.normal == NormalLaw::linear ? 1 : std::sqrt(contact.overlap);
     held.push_back(springs.back().stiffness + kind.tangential_stiffness * root +  // whether there is friction or not
                    criterion.normal_damping * springs.back().damping / facts.time_step);
   }
-  const std::vector<double> weight = weights_of(facts.particle_count, contacts, held);
+  const std::vector<double> weight = weights_of(facts, contacts, held);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     const TangentSpring& spring = springs[c];
-    const auto add = [&](int particle, double share) {
+    const auto add = [&](int particle, int other, double share) {
       Blocks& b = blocks[static_cast<std::size_t>(particle)];
-      share /= facts.mass;
-      const double lever = rolling_lever(contact.partner < 0), across = share * criterion.tangential_damping;
-      add_contact(b.stiffness, contact.normal, share * spring.stiffness, share * spring.tangential_stiffness,
+      share /= facts.mass_of(particle);
+      const double lever = rolling_lever(facts, particle, other), across = share * criterion.tangential_damping;
+      const double side = particle == contact.owner ? 1 : -1;
+      add_contact(b.stiffness, contact.normal, side, share * spring.stiffness, share * spring.tangential_stiffness,
                   share * spring.rolling_stiffness, lever);
-      add_contact(b.damping, contact.normal, share * criterion.normal_damping * spring.damping,
+      add_contact(b.damping, contact.normal, side, share * criterion.normal_damping * spring.damping,
                   across * spring.tangential_damping, across * spring.rolling_damping, lever);
     };
     if (contact.partner < 0) {
-      add(contact.owner, 1);
+      add(contact.owner, contact.partner, 1);
     } else {
       const double quotient =
           weight[static_cast<std::size_t>(contact.partner)] / weight[static_cast<std::size_t>(contact.owner)];
-      add(contact.owner, 1 + quotient);
-      add(contact.partner, 1 + 1 / quotient);  // the other side of n gives the same block
+      add(contact.owner, contact.partner, 1 + quotient);
+      add(contact.partner, contact.owner, 1 + 1 / quotient);
     }
   }
   StableStep least{std::numeric_limits<double>::infinity(), -1};
@@ -164,13 +172,13 @@ bool StabilityWatch::look(double time, const std::vector<Contact>& contacts, dou
   time_ = time, stable_ = stable.seconds, particle_ = stable.particle;
   ratio_ = facts_.time_step / stable.seconds;  // 0 without contacts
   if (!(ratio_ <= maximum_ratio_)) maximum_ratio_ = ratio_;
-  if (!(max_overlap <= facts_.overlap_warning * facts_.radius()) && !has_warned_of_overlap_) {
+  if (!(max_overlap <= facts_.overlap_warning * facts_.smallest_radius()) && !has_warned_of_overlap_) {
     has_warned_of_overlap_ = true;
     warning_ += fmt::format(
-        "fixdem: warning: at {:.6g} s contacts overlap by {:.3g} radii (warned of beyond {:.3g}): the contact law is "
+        "fixdem: warning: at {:.6g} s contacts overlap by {:.3g} {} (warned of beyond {:.3g}): the contact law is "
         "meant for "
         "small overlaps\n  raise youngs_modulus, or [run] overlap_warning if this is meant\n",
-        time, max_overlap / facts_.radius(), facts_.overlap_warning);
+        time, max_overlap / facts_.smallest_radius(), overlap_unit(facts_), facts_.overlap_warning);
   }
   if (!(ratio_ <= facts_.stability_limit)) return true;
   if (!(ratio_ <= 1) && !has_warned_of_step_) {

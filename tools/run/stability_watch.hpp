@@ -5,7 +5,9 @@
 // resisted, taken at its present overlap (d force / d overlap; contacts that slide or roll count as sticking, which is
 // stiffer). For vectors a, b and any q > 0, |a + b|^2 is at most
 // (1 + q) |a|^2 + (1 + 1/q) |b|^2, so a pair is at most as stiff as its two particles each held by a wall in its place,
-// 1 + q and 1 + 1/q times as stiff: 6 x 6 blocks of single particles bound the whole matrix. With A(h) = h^2 K + h C of
+// 1 + q and 1 + 1/q times as stiff: 6 x 6 blocks of single particles bound the whole matrix. Each is over the mass of
+// its particle, so that a sphere of another size takes its own share of a spring; its radius matters for rolling alone
+// (rolling_lever). With A(h) = h^2 K + h C of
 // a block (C with the integrator's factors, step_criteria.hpp), row sums of absolute values bound its maximum
 // eigenvalue, and so does the sixteenth root of those of A^16, much more tightly. The step starts where row sums a of K
 // and b of C give a h^2 + b h = 4; since A(t h) is at most t^2 A(h) for t > 1, it may then be raised to h sqrt(4 /
@@ -20,6 +22,7 @@
 #include <vector>
 
 #include "case_facts.hpp"
+#include "contact_kinds.hpp"
 #include "kernel/fixdem.hpp"
 #include "step_criteria.hpp"
 
@@ -32,9 +35,6 @@ struct TangentSpring {
   double rolling_stiffness = 0, rolling_damping = 0;
 };
 TangentSpring tangent_spring(NormalLaw, const ContactCoefficients&, double overlap);
-
-/// R* / r, the lever of the rolling displacement: all spheres are of one size.
-constexpr double rolling_lever(bool is_wall) { return is_wall ? 1 : 0.5; }
 
 struct StableStep {
   double seconds;  ///< infinite without contacts

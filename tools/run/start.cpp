@@ -32,6 +32,33 @@ std::filesystem::path start_state_path(const CaseFacts& facts, const Options& op
   return path;
 }
 
+std::vector<double> diameters_of(const CaseFacts& facts) {
+  std::vector<double> diameters;
+  for (int id = 0; id < facts.particle_count; ++id) diameters.push_back(facts.diameter_of(id));
+  return diameters;
+}
+
+/// What of the first particle that differs; a state of one size knows no densities. Empty where the sizes are the same.
+std::string difference_of_sizes(const CaseFacts& facts, const StoredState& state) {
+  if (!facts.has_sizes() && state.diameters.empty())
+    return state.diameter == facts.diameter
+               ? ""
+               : fmt::format("its particles are {} m wide, those of the case {} m", state.diameter, facts.diameter);
+  for (int id = 0; id < facts.particle_count; ++id) {
+    const auto k = static_cast<std::size_t>(id);
+    const auto describe = [id](const char* what, double there, double here) {
+      return fmt::format(
+          "particle {} has {} {} there and {} here; allowed: the same diameters and densities, number by number", id,
+          what, there, here);
+    };
+    const double diameter = state.diameters.empty() ? state.diameter : state.diameters[k];
+    if (diameter != facts.diameter_of(id)) return describe("diameter", diameter, facts.diameter_of(id));
+    if (!state.densities.empty() && state.densities[k] != facts.density_of(id))
+      return describe("density", state.densities[k], facts.density_of(id));
+  }
+  return "";
+}
+
 StoredState load(const CaseFacts& facts, const Options& options) {
   const std::filesystem::path path = start_state_path(facts, options);
   StoredState state = read_state(path);
@@ -47,10 +74,11 @@ StoredState load(const CaseFacts& facts, const Options& options) {
            fmt::format("run {} to its end, or give the file with --start-state if it is meant", facts.start_from));
   if (state.particles.size() != static_cast<std::size_t>(facts.particle_count))
     refuse(fmt::format("it has {} particles, the case {}", state.particles.size(), facts.particle_count),
-           fmt::format("set [particles] count = {} or take another state", state.particles.size()));
-  if (state.diameter != facts.diameter)
-    refuse(fmt::format("its particles are {} m wide, those of the case {} m", state.diameter, facts.diameter),
-           "both cases need the same [particles] diameter");
+           facts.has_sizes() ? "both cases need the same particles"
+                             : fmt::format("set [particles] count = {} or take another state", state.particles.size()));
+  if (const std::string what = difference_of_sizes(facts, state); !what.empty())
+    refuse(what,
+           facts.has_sizes() ? "both cases need the same particles" : "both cases need the same [particles] diameter");
   const bool forces = facts.tangential != TangentialLaw::displacement;
   if (facts.start_keeps_motion && facts.has_rotation && state.histories_are_forces != forces)
     refuse(fmt::format("its contact histories are {}, the case needs {}",
@@ -93,7 +121,9 @@ void start_simulation(SimulationView& view, const CaseFacts& facts, const Option
   StoredState state;
   if (facts.start == StartKind::random) {
     const Container pipe{facts.pipe_diameter, facts.pipe_length, facts.is_periodic};
-    state.particles = arrange_moving(pipe, facts.particle_count, facts.diameter, facts.start_velocity, options.seed);
+    state.particles = facts.has_sizes() ? arrange_moving(pipe, diameters_of(facts), facts.start_velocity, options.seed)
+                                        : arrange_moving(pipe, facts.particle_count, facts.diameter,
+                                                         facts.start_velocity, options.seed);
   } else if (facts.start == StartKind::placed) {
     for (int id = 0; id < facts.particle_count; ++id) {
       const Placed& p = facts.placed[id];

@@ -10,8 +10,12 @@ namespace fixdem::program {
 namespace {
 
 constexpr std::string_view magic("FIXDEM\x1a\n", 8);
-constexpr std::uint32_t version = 1, version_with_rolling = 2;
+constexpr std::uint32_t first_version = 1, last_version = 4;
 const std::string advice = "make it again by running its case, or take another --start-state";
+
+std::uint32_t version_of(const StoredState& state) {
+  return first_version + (state.has_rolling ? 1 : 0) + (state.diameters.empty() ? 0 : 2);
+}
 
 bool all_finite(const double (&v)[3]) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
@@ -29,6 +33,9 @@ StoredState stored_state(const CaseFacts& facts, const Snapshot& snapshot, bool 
   state.step = static_cast<std::uint64_t>(snapshot.step);
   state.particles = snapshot.particles;
   state.images.assign(snapshot.images.begin(), snapshot.images.end());
+  if (facts.has_sizes())
+    for (int id = 0; id < facts.particle_count; ++id)
+      state.diameters.push_back(facts.diameter_of(id)), state.densities.push_back(facts.density_of(id));
   state.has_rolling = facts.has_rolling;
   for (const Contact& c : snapshot.contacts)
     state.histories.push_back({c.owner,
@@ -40,7 +47,7 @@ StoredState stored_state(const CaseFacts& facts, const Snapshot& snapshot, bool 
 
 std::string encode_state(const StoredState& state) {
   BinaryWriter writer;
-  writer.begin(magic, state.has_rolling ? version_with_rolling : version);
+  writer.begin(magic, version_of(state));
   writer.put(static_cast<std::uint32_t>(state.case_name.size()));
   writer.bytes(state.case_name.data(), state.case_name.size());
   writer.put(state.source_hash);
@@ -55,6 +62,8 @@ std::string encode_state(const StoredState& state) {
   for (const Particle& p : state.particles) writer.put(p.velocity);
   for (const Particle& p : state.particles) writer.put(p.angular_velocity);
   for (std::int32_t image : state.images) writer.put(image);
+  for (const double diameter : state.diameters) writer.put(diameter);
+  for (const double density : state.densities) writer.put(density);
   writer.put(std::uint64_t{state.histories.size()});
   for (const StoredHistory& h : state.histories) {
     writer.put(h.owner);
@@ -68,11 +77,11 @@ std::string encode_state(const StoredState& state) {
 
 StoredState decode_state(std::string_view bytes, const std::string& name) {
   BinaryReader reader(bytes, name, advice);
-  const std::uint32_t found = reader.begin(magic, "state file", version, version_with_rolling);
+  const std::uint32_t found = reader.begin(magic, "state file", first_version, last_version);
   reader.check_seal(bytes);
 
   StoredState state;
-  state.has_rolling = found == version_with_rolling;
+  state.has_rolling = found % 2 == 0;
   state.case_name = std::string(reader.take(reader.get<std::uint32_t>()));
   state.source_hash = reader.get<std::uint64_t>();
   state.complete = reader.get<std::uint32_t>() != 0;
@@ -92,6 +101,15 @@ StoredState decode_state(std::string_view bytes, const std::string& name) {
     const Particle& p = state.particles[i];
     if (!all_finite(p.position) || !all_finite(p.velocity) || !all_finite(p.angular_velocity))
       reader.refuse("holds a value of particle {} that is not finite", i);
+  }
+  if (found > 2) {
+    state.diameters.resize(count), state.densities.resize(count);
+    for (double& diameter : state.diameters) diameter = reader.get<double>();
+    for (double& density : state.densities) density = reader.get<double>();
+    for (std::uint64_t i = 0; i < count; ++i)
+      if (!(state.diameters[i] > 0 && state.densities[i] > 0 && std::isfinite(state.diameters[i]) &&
+            std::isfinite(state.densities[i])))
+        reader.refuse("holds an impossible diameter or density of particle {}", i);
   }
   state.histories.resize(reader.count(state.has_rolling ? 56 : 32));
   for (StoredHistory& h : state.histories) {

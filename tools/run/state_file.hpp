@@ -3,18 +3,19 @@
 // Layout, little or big endian as the byte-order mark says, no padding:
 //   8 bytes   "FIXDEM" 0x1a 0x0a
 //   u32       byte order mark 0x01020304
-//   u32       version: 2 in a case with rolling resistance, otherwise 1
+//   u32       version: 1; 2 in a case with rolling resistance; 3 and 4 the same with particles of several sizes
 //   u32, then that many bytes: name of the case
 //   u64       XXH64 of the case file
 //   u32       1 if the run reached its end, 0 if it was interrupted
 //   u32       1 if contact histories are forces in N, 0 if displacements in m
 //   u64       number of particles
-//   f64 x 3   diameter in m, time in s, duration asked for in s
+//   f64 x 3   diameter (of the largest) in m, time in s, duration asked for in s
 //   u64       steps
 //   f64 x 3n  positions, then velocities, then angular velocities, in order of number
 //   i32 x n   periodic crossings of each particle
+//   f64 x 2n  in versions 3 and 4: diameters in m, then densities in kg/m3
 //   u64       number of contacts, then for each: i32 owner, i32 partner (-1 pipe wall, -2 end z = 0, -3 end z = L),
-//             f64 x 3 history of sliding, and in version 2 f64 x 3 history of rolling
+//             f64 x 3 history of sliding, and in versions 2 and 4 f64 x 3 history of rolling
 //   u64       XXH64 of all bytes before it
 // A file that is damaged, of another version or byte order is refused with exit code 3, naming what differs; one that
 // cannot be read or written at all with 6.
@@ -47,6 +48,7 @@ struct StoredState {
   std::uint64_t step = 0;
   std::vector<Particle> particles;
   std::vector<std::int32_t> images;
+  std::vector<double> diameters, densities;  ///< of each particle; empty where all are equal
   std::vector<StoredHistory> histories;
 };
 

@@ -8,6 +8,7 @@
 #include "capacity_advice.hpp"
 #include "contact_time.hpp"
 #include "energy_balance.hpp"
+#include "species_velocity.hpp"
 
 namespace fixdem::program {
 namespace {
@@ -73,13 +74,40 @@ Json own_material(const CaseFacts& facts) {
   return own;
 }
 
-Json particles(const Outcome& outcome) {
+Json particles(const CaseFacts& facts, const Outcome& outcome) {
   if (outcome.snapshot.particles.size() > 64) return nullptr;
   Json list = Json::array();
-  for (const Particle& p : outcome.snapshot.particles)
+  for (const Particle& p : outcome.snapshot.particles) {
+    const int id = static_cast<int>(list.size());
     list.push_back({{"position", triple(p.position)},
                     {"velocity", triple(p.velocity)},
                     {"angular_velocity", triple(p.angular_velocity)}});
+    if (facts.has_sizes()) list.back()["diameter"] = facts.diameter_of(id);
+  }
+  return list;
+}
+
+Json sizes(const CaseFacts& facts) {
+  const SizeStatistics all = size_statistics(facts, facts.particle_count);
+  return {{"minimum_diameter", all.minimum_diameter},
+          {"maximum_diameter", all.maximum_diameter},
+          {"mean_diameter", all.mean_diameter},
+          {"sauter_diameter", all.sauter_diameter},
+          {"total_mass", all.total_mass},
+          {"total_volume", all.total_volume}};
+}
+
+Json species(const CaseFacts& facts, const Outcome& outcome) {
+  const std::vector<CountedKind> kinds = counted_kinds(facts, facts.particle_count);
+  const std::vector<double> velocities = axial_velocities(facts, outcome.snapshot);
+  Json list = Json::array();
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    list.push_back({{"name", facts.species[k]},
+                    {"count", kinds[k].count},
+                    {"diameter", kinds[k].kind.diameter},
+                    {"density", kinds[k].kind.density},
+                    {"mean_axial_velocity", number(velocities[k])},
+                    {"mass", kinds[k].count * kinds[k].kind.mass()}});
   return list;
 }
 
@@ -128,8 +156,10 @@ std::string encode_summary(const CaseFacts& facts, const Options& options, const
         {"particle_steps_per_second", rate(facts, outcome)}}},
       {"plug", outcome.plug ? plug(*outcome.plug) : Json(nullptr)},
       {"collision", collision(outcome)},
-      {"particles", particles(outcome)}};
+      {"particles", particles(facts, outcome)}};
   if (Json own = own_material(facts); !own.is_null()) summary["material"] = std::move(own);
+  if (facts.has_sizes()) summary["sizes"] = sizes(facts);
+  if (facts.has_species()) summary["species"] = species(facts, outcome);
   return summary.dump(2) + "\n";
 }
 
@@ -143,7 +173,7 @@ std::string describe_outcome(const CaseFacts& facts, const Outcome& outcome) {
     text +=
         fmt::format("only {:.1f} steps per contact at the deepest overlap ({:.0f} are needed): results may be wrong\n",
                     outcome.steps_per_contact, fewest_steps_per_contact);
-  text += describe_capacities(outcome.capacities);
+  text += describe_capacities(outcome.capacities, facts.most_neighbours());
   if (outcome.plug && std::isfinite(outcome.plug->front_velocity)) {
     const PlugResult& p = *outcome.plug;
     text += fmt::format(

@@ -1,7 +1,7 @@
 // summary.json: the outcome of a run for programs to read; tools/README.md lists the keys.
 //
-// The keys are always the same, but for those of walls of their own and of rolling resistance; null stands for what
-// does not apply. SI units throughout; numbers read back exactly.
+// The keys are always the same, but for those of walls of their own, of rolling resistance and of particles of several
+// sizes; null stands for what does not apply. SI units throughout; numbers read back exactly.
 #pragma once
 
 #include <optional>

@@ -12,6 +12,7 @@
 #include "failure.hpp"
 #include "fault_report.hpp"
 #include "interrupt.hpp"
+#include "species_velocity.hpp"
 
 namespace fixdem::program {
 namespace {
@@ -145,7 +146,7 @@ void TimeLoop::log(const Snapshot& snapshot) {
   row.observation = view_.observe();
   row.energy = view_.energy();
   row.balance_error = balance_error(start_energy_, row.energy);
-  if (facts_.has_gas) row.plug = plug_sample(snapshot);
+  if (facts_.has_gas) row.plug = plug_sample(snapshot), row.species_velocity = axial_velocities(facts_, snapshot);
   if (std::isfinite(row.observation.max_speed)) maximum_speed_ = std::max(maximum_speed_, row.observation.max_speed);
   step_is_too_large_ = watch_.look(row.time, snapshot.contacts, row.observation.max_overlap);
   row.step_ratio = watch_.ratio();

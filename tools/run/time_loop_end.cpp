@@ -33,7 +33,7 @@ void TimeLoop::write_stopped_state(const Status& status) {
   const Snapshot snapshot = this->snapshot();
   const int particle = status.ok() ? watch_.particle() : status.particle;
   write_file(options_.out / "fault.vtp",
-             encode_vtp(snapshot, facts_.radius(), VtpData::appended, neighbourhood(facts_, snapshot, particle)),
+             encode_vtp(snapshot, facts_, VtpData::appended, neighbourhood(facts_, snapshot, particle)),
              Durability::fast);
   write_state(options_.out / "stopped.fixdem", stored_state(facts_, snapshot, false, options_.duration));
 }

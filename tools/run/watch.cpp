@@ -58,7 +58,7 @@ std::string Watch::picture(const Snapshot& snapshot, const LogRow& row) {
   text += fmt::format("kinetic energy {:.3e} J   contacts {:.2f} a particle   fastest {:.3f} m/s\n",
                       o.kinetic_translation + o.kinetic_rotation, o.coordination_number, o.max_speed);
   text += fmt::format("deepest overlap {:.1e} radii   mean axial velocity {:+.3f} m/s\n",
-                      o.max_overlap / facts_.radius(), o.mean_axial_velocity);
+                      o.max_overlap / facts_.smallest_radius(), o.mean_axial_velocity);
   if (facts_.has_gas) {
     text += fmt::format("pressure drop {:.0f} Pa   ", row.plug.pressure_drop);
     text += row.plug.found ? fmt::format("plug: front at {:.3f} m, {:.3f} m long\n", row.plug.front, row.plug.length)

@@ -122,7 +122,7 @@ Row run_scene(const std::vector<Particle>& particles, long long steps, bool is_c
   }
   warning += program::contact_warning(facts, simulation.deepest_overlap());
   const Energy end = simulation.energy();
-  row.balance_error = program::balance_error(begin, end), row.max_overlap = deepest / facts.radius();
+  row.balance_error = program::balance_error(begin, end), row.max_overlap = deepest / facts.smallest_radius();
   if (is_collision && status.ok()) row.restitution = -closing() / before;
   if (!status.ok()) {
     row.verdict = "stopped", row.message = sentence(status, fastest);

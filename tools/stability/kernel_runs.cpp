@@ -124,8 +124,9 @@ int decay(const std::string& to, double duration) {
   for (int row = 0; row <= rows && status.ok(); ++row) {
     status = simulation.run(steps * row / rows - simulation.step());
     const Observation seen = simulation.observe();
-    deepest = std::fmax(deepest, seen.max_overlap / facts.radius());
-    file << fmt::format("{:.5g},{:.6g},{:.4g}\n", simulation.time(), kinetic(seen), seen.max_overlap / facts.radius());
+    deepest = std::fmax(deepest, seen.max_overlap / facts.smallest_radius());
+    file << fmt::format("{:.5g},{:.6g},{:.4g}\n", simulation.time(), kinetic(seen),
+                        seen.max_overlap / facts.smallest_radius());
   }
   std::fputs(fmt::format("{},{:.6g},{:.4g}\n", outcome(status), kinetic(simulation.observe()), deepest).c_str(),
              stdout);

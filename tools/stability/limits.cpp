@@ -50,8 +50,9 @@ std::vector<Contact> contacts_of(const Scene& scene) {
 }
 
 double predicted_step(const std::vector<Contact>& contacts, const program::StepCriterion& criterion) {
-  const auto springs = springs_of(contacts, Case::normal, coefficients_of(true), coefficients_of(false));
-  return critical_step({VariableCase::particle_count, program::case_facts<Case>().mass, springs}, criterion);
+  program::CaseFacts facts = facts_at_present();
+  facts.particle_count = VariableCase::particle_count;
+  return critical_step(network_of(facts, contacts), criterion);
 }
 
 class Table {

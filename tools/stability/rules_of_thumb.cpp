@@ -14,7 +14,8 @@ std::vector<Rule> rules_of_thumb(const program::CaseFacts& facts, double youngs_
   std::vector<Rule> rules;
   if (facts.normal == NormalLaw::hertz) {
     const double shear = youngs_modulus / (2 * (1 + poisson_ratio));  // eq. (20)
-    const double rayleigh = pi * facts.radius() * std::sqrt(facts.density / shear) / (0.1631 * poisson_ratio + 0.8766);
+    const double rayleigh =
+        pi * facts.largest_radius() * std::sqrt(facts.density / shear) / (0.1631 * poisson_ratio + 0.8766);
     rules.push_back({"Rayleigh time", rayleigh});
     rules.push_back({"Rayleigh time / 5", rayleigh / 5});
   }
@@ -23,8 +24,8 @@ std::vector<Rule> rules_of_thumb(const program::CaseFacts& facts, double youngs_
   rules.push_back({"contact time at the maximum speed / 20", hertz / fewest_steps_per_contact});
   if (contacts.empty()) return rules;
 
-  const auto springs = springs_of(contacts, facts.normal, facts.pair_contact, facts.wall_contact);
-  const SpringNetwork network{facts.particle_count, facts.mass, springs};
+  const SpringNetwork network = network_of(facts, contacts);
+  const std::vector<Spring>& springs = network.springs;
   const auto stiffest = std::max_element(
       springs.begin(), springs.end(), [](const Spring& a, const Spring& b) { return a.at.stiffness < b.at.stiffness; });
   const double cundall = 2 * std::sqrt(facts.mass / stiffest->at.stiffness);
@@ -33,11 +34,8 @@ std::vector<Rule> rules_of_thumb(const program::CaseFacts& facts, double youngs_
   rules.push_back({"eq. (39): 2 sqrt(m/k) of the stiffest contact with k = force / overlap", cundall * secant});
 
   double shortest = INFINITY;
-  for (const Spring& s : springs) {
-    Spring alone = s;
-    alone.owner = 0, alone.partner = s.partner >= 0 ? 1 : s.partner;
-    shortest = std::min(shortest, undamped_critical_step({2, facts.mass, {alone}}, Springs::all));
-  }
+  for (const Spring& s : springs)
+    shortest = std::min(shortest, undamped_critical_step(alone(network, s), Springs::all));
   rules.push_back({"all springs of the stiffest single contact", shortest});
   rules.push_back({"normal springs only, of all contacts", undamped_critical_step(network, Springs::normal)});
   rules.push_back({"all springs of all contacts, no damping", undamped_critical_step(network, Springs::all)});

@@ -184,6 +184,9 @@ def main():
     arguments.add_argument("--quick", action="store_true")
     arguments.add_argument("--count", type=Path, help='file for "PASSED FAILED"')
     chosen = arguments.parse_args()
+    case = tomllib.loads(chosen.case_file.read_text())
+    if {"species", "sizes"} & case["particles"].keys():
+        raise SystemExit(f"{chosen.case_file}: make stability measures scenes of equal spheres only; give it a case with [particles] count and diameter")
     report = Report(chosen)
     chosen.out.mkdir(parents=True, exist_ok=True)
 
@@ -199,7 +202,6 @@ def main():
                "rules": rows_of(chosen.out / "rules.csv"), "extremes": extremes(report, chosen.quick, has_gas)}
     grazing = chosen.out / "grazing.csv"
     content["grazing"] = rows_of(grazing) if grazing.exists() else []
-    case = tomllib.loads(chosen.case_file.read_text())
     material, count = case["material"], case["particles"]["count"]
     content["own_poisson_ratio"] = f"{material.get('poisson_ratio', 0):.4g}"
     if not chosen.quick:

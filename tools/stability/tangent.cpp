@@ -70,10 +70,13 @@ Tangent tangent(const SpringNetwork& network, Springs kind) {
   for (const Spring& s : springs) {
     const double* n = s.normal;
     const int from = 6 * s.owner, to = 6 * s.partner;
+    // Coordinates carry the root of the own mass.
+    const double own = 1 / std::sqrt(network.mass_share(s.owner));
+    const double other = s.partner >= 0 ? 1 / std::sqrt(network.mass_share(s.partner)) : 0;
     std::vector<std::pair<int, double>> along;
     for (int c = 0; c < 3; ++c) {
-      along.emplace_back(from + c, n[c]);
-      if (s.partner >= 0) along.emplace_back(to + c, -n[c]);
+      along.emplace_back(from + c, own * n[c]);
+      if (s.partner >= 0) along.emplace_back(to + c, -other * n[c]);
     }
     stiffness.add(s.at.stiffness / mass, along);
     normal_damping.add(s.at.damping / mass, along);
@@ -83,16 +86,17 @@ Tangent tangent(const SpringNetwork& network, Springs kind) {
     const Eigen::Vector3d first = normal.unitOrthogonal(), tangents[2] = {first, normal.cross(first)};
     for (const Eigen::Vector3d& t : tangents) {
       const Eigen::Vector3d turn = turning * normal.cross(t);  // t . (theta x n) = theta . (n x t)
-      const double lever = program::rolling_lever(s.partner < 0);
+      const double own_lever = own * network.rolling_lever(s.owner, s.partner);
+      const double other_lever = s.partner >= 0 ? other * network.rolling_lever(s.partner, s.owner) : 0;
       std::vector<std::pair<int, double>> slip, rolling;
       for (int c = 0; c < 3; ++c) {
-        slip.emplace_back(from + c, t[c]);
-        slip.emplace_back(from + 3 + c, turn[c]);
-        rolling.emplace_back(from + 3 + c, lever * turn[c]);
+        slip.emplace_back(from + c, own * t[c]);
+        slip.emplace_back(from + 3 + c, own * turn[c]);
+        rolling.emplace_back(from + 3 + c, own_lever * turn[c]);
         if (s.partner < 0) continue;
-        slip.emplace_back(to + c, -t[c]);
-        slip.emplace_back(to + 3 + c, turn[c]);
-        rolling.emplace_back(to + 3 + c, -lever * turn[c]);
+        slip.emplace_back(to + c, -other * t[c]);
+        slip.emplace_back(to + 3 + c, other * turn[c]);
+        rolling.emplace_back(to + 3 + c, -other_lever * turn[c]);
       }
       stiffness.add(s.at.tangential_stiffness / mass, slip);
       tangential_damping.add(s.at.tangential_damping / mass, slip);
@@ -107,15 +111,36 @@ Tangent tangent(const SpringNetwork& network, Springs kind) {
 
 }  // namespace
 
-std::vector<Spring> springs_of(const std::vector<Contact>& contacts, NormalLaw law,
-                               const program::ContactCoefficients& pair, const program::ContactCoefficients& wall) {
-  std::vector<Spring> springs;
+double SpringNetwork::rolling_lever(int particle, int partner) const {
+  if (partner < 0) return 1;
+  if (sizes.empty()) return 0.5;
+  const double own = sizes[static_cast<std::size_t>(particle)].radius;
+  const double other = sizes[static_cast<std::size_t>(partner)].radius;
+  return other / (own + other);
+}
+
+SpringNetwork network_of(const program::CaseFacts& facts, const std::vector<Contact>& contacts) {
+  SpringNetwork network{facts.particle_count, facts.mass, {}};
   for (const Contact& c : contacts)
-    springs.push_back({c.owner,
-                       c.partner,
-                       {c.normal[0], c.normal[1], c.normal[2]},
-                       program::tangent_spring(law, c.partner >= 0 ? pair : wall, c.overlap)});
-  return springs;
+    network.springs.push_back(
+        {c.owner,
+         c.partner,
+         {c.normal[0], c.normal[1], c.normal[2]},
+         program::tangent_spring(facts.normal, program::contact_coefficients(facts, c.owner, c.partner), c.overlap)});
+  if (facts.has_sizes())
+    for (int id = 0; id < facts.particle_count; ++id)
+      network.sizes.push_back({facts.mass_of(id) / facts.mass, facts.radius_of(id)});
+  return network;
+}
+
+SpringNetwork alone(const SpringNetwork& network, const Spring& spring) {
+  Spring moved = spring;
+  moved.owner = 0, moved.partner = spring.partner >= 0 ? 1 : spring.partner;
+  SpringNetwork pair{2, network.mass, {moved}};
+  if (!network.sizes.empty())
+    for (const int id : {spring.owner, spring.partner >= 0 ? spring.partner : spring.owner})
+      pair.sizes.push_back(network.sizes[static_cast<std::size_t>(id)]);
+  return pair;
 }
 
 double undamped_critical_step(const SpringNetwork& network, Springs kind) {
