@@ -70,6 +70,22 @@ std::vector<Pinned> programs() {
   return list;
 }
 
+/// Particles of several sizes at random places, as the other case would have left them: it knows the sizes, and is run
+/// for a moment to tell them.
+fixdem::program::StoredState pile_of_sizes(const std::string& case_name) {
+  const std::string name = "golden-sizes-" + case_name;
+  const files::path out = scratch(name);
+  files::remove_all(out);
+  const ProgramRun run = run_command(shell_word(fixdem::tests::program(case_name)) + " --out " + shell_word(out) +
+                                         " --quiet --no-frames --seed 1 --duration 0.0001",
+                                     name, out);
+  REQUIRE_MESSAGE(run.exit_code == 0, run.standard_error);
+  fixdem::program::StoredState state = fixdem::program::read_state(out / "final.fixdem");
+  state.particles = fixdem::program::arrange_moving({0.05, 0.79, false}, state.diameters, 0, 1);
+  state.histories.clear();
+  return state;
+}
+
 /// Options that make the run short, quiet and independent of other runs.
 std::string options(const std::string& case_name) {
   const std::string text = read_bytes(files::path(FIXDEM_CASES_DIR) / (case_name + ".toml"));
@@ -77,9 +93,11 @@ std::string options(const std::string& case_name) {
   std::smatch found;
   if (std::regex_search(text, found, std::regex("\n *from *= *\"([^\"]*)\""))) {
     const std::string predecessor = found[1];
+    const bool has_sizes = std::regex_search(text, std::regex("\n *\\[+particles\\."));
     REQUIRE(std::regex_search(text, found, std::regex("\n *count *= *([0-9]+)")));
     const files::path state = scratch("golden-" + case_name + ".fixdem");
-    fixdem::program::write_state(state, pile(std::stoi(found[1]), predecessor));
+    fixdem::program::write_state(state,
+                                 has_sizes ? pile_of_sizes(predecessor) : pile(std::stoi(found[1]), predecessor));
     chosen += " --start-state " + shell_word(state);
   } else if (std::regex_search(text, std::regex("\n *arrangement *= *\"random\""))) {
     chosen += " --seed 1";

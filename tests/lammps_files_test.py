@@ -45,11 +45,11 @@ def still(count):
 
 
 def texts_of(case, repeat=1):
-    return files(case, law_of(case), still(case["particle_count"]), "a test", repeat)
+    return files(case, still(case["particle_count"]), "a test", repeat)
 
 
 def commands(case, start):
-    return [line.split() for line in law_commands(case, law_of(case)) if line.startswith(start)]
+    return [line.split() for line in law_commands(case) if line.startswith(start)]
 
 
 def state_file(count, name=b"settle"):
@@ -212,7 +212,7 @@ class Scenes(unittest.TestCase):
     def test_a_state_of_another_number_of_particles_is_refused(self):
         case = case_of("settle")
         with self.assertRaisesRegex(Refused, "149 particles and the case 150"):
-            files(case, law_of(case), still(149), "a test")
+            files(case, still(149), "a test")
 
 
 class Program(unittest.TestCase):

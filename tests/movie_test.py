@@ -28,8 +28,8 @@ def check(what, right, found=""):
 
 
 def painting():
-    def paint(position, shares, periodic=True):
-        painter = Painter(0.1, 0.4, periodic, 0.01, 400)
+    def paint(position, shares, periodic=True, radius=0.01):
+        painter = Painter(0.1, 0.4, periodic, radius, 400)
         image = painter.paint(np.array(position), np.array(shares))
         return image[painter.margin : -painter.margin, painter.margin : -painter.margin].astype(int), painter
 
@@ -49,6 +49,16 @@ def painting():
     check("across joined ends it shows at both", ring[:, :10].any() and ring[:, -5:].any())
     closed, _ = paint([[0, 0, 0.001]], [1.0], periodic=False)
     check("... and not where they are closed", not (closed != PIPE).any(axis=2)[:, -5:].any())
+
+
+    radii = np.array([0.01, 0.005])
+    sized, painter = paint([[0, 0, 0.1], [0, 0, 0.3]], [1.0, 0.0], radius=radii)
+    drawn = (sized != PIPE).any(axis=2)
+    halves = drawn[:, : drawn.shape[1] // 2].sum(), drawn[:, drawn.shape[1] // 2 :].sum()
+    off = [abs(half / (np.pi * (r * painter.scale) ** 2) - 1) for half, r in zip(halves, radii)]
+    check("each sphere covers its own circle", max(off) < 0.05, halves)
+    many = Painter(0.1, 0.4, True, np.linspace(0.004, 0.005, 1000), 400)
+    check("many sizes share a few discs", len(many.discs) < 20 and len(many.disc_of) == 1000, len(many.discs))
 
 
 def between():

@@ -160,8 +160,8 @@ class States(WithFolder):
         self.assertEqual(read_final(self.file(rolling)), STATE)
 
     def test_other_files_are_no_final_states(self):
-        later = self.final().replace(b"\1\0\0\0\5", b"\3\0\0\0\5")
-        for content, message in ((b"nothing", "first bytes"), (self.final()[:100], "cut short"), (later, "version 3")):
+        later = self.final().replace(b"\1\0\0\0\5", b"\5\0\0\0\5")
+        for content, message in ((b"nothing", "first bytes"), (self.final()[:100], "cut short"), (later, "version 5")):
             with self.assertRaisesRegex(SystemExit, message):
                 read_final(self.file(content))
 

@@ -82,6 +82,7 @@ run_part make_test.py tests/make_test.py "$build" "$1" "$build/scratch/make" "$r
 run_part make_input_test.py tests/make_input_test.py "$build" "$1" "$build/scratch/make input" "$reports/make_input_test.py.count"
 run_part systems_test.py tests/systems/systems_test.py "$reports/systems_test.py.count"
 run_part lammps_files_test.py tests/lammps_files_test.py "$build" "$reports/lammps_files_test.py.count"
+run_part lammps_sizes_test.py tests/lammps_sizes_test.py "$build" "$reports/lammps_sizes_test.py.count"
 [[ -z ${KILLS:-} ]] || run_part kill_test.py tests/kill_test.py "$build/bin" "$build/scratch/kill" --kills "$KILLS" \
   --count "$reports/kill_test.py.count"
 [[ -z ${SWEEP_PYTHON:-} ]] || run_part sweep_test.py "$SWEEP_PYTHON" tests/sweep/sweep_test.py "$build/casegen" "$build/scratch/sweep" \

@@ -12,7 +12,7 @@ for part in ("lammps", "peers", "report"):
 
 import run_lammps  # noqa: E402
 import scene_files  # noqa: E402
-from case_values import law_of, read_header  # noqa: E402
+from case_values import kinds_of, read_header  # noqa: E402
 from impact_cases import LAWS  # noqa: E402
 from states import read_dump, read_final  # noqa: E402
 
@@ -70,7 +70,7 @@ class Bench:
         folder = self.out / f"{case}{f'-x{repeat}' if repeat > 1 else ''}-{ranks}"
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
-        for name, text in scene_files.files(values, law_of(values), read_final(state), "a test", repeat).items():
+        for name, text in scene_files.files(values, read_final(state), "a test", repeat).items():
             (folder / name).write_text(change(name, text))
         copies = f"-x{repeat}" if repeat > 1 else ""
         program = self.build / "lammps" / "gas_beside" / f"{case}{copies}" if values["has_gas"] else "lmp"
@@ -86,13 +86,13 @@ class Bench:
 
 def distances(case, a, b, repeat=1):
     """In diameters, of every particle, to the nearest image along a periodic pipe."""
-    length = case["pipe_length"] * repeat
+    length, diameter = case["pipe_length"] * repeat, kinds_of(case)[0].diameter
     found = []
     for x, y in zip(a.positions, b.positions):
         along = x[2] - y[2]
         if case["ends"] == "periodic":
             along -= length * round(along / length)
-        found.append(math.hypot(x[0] - y[0], x[1] - y[1], along) / case["diameter"])
+        found.append(math.hypot(x[0] - y[0], x[1] - y[1], along) / diameter)
     return found
 
 

@@ -6,7 +6,8 @@ Against the kernel's leapfrog, which integrates as LAMMPS does, with a step so s
 import re
 
 from beside import read_header
-from impact_cases import LAWS, impacts
+from case_values import kinds_of
+from impact_cases import LAWS, SIZES, SMALLER, impacts
 
 HEAD_ON_BOUND = 5e-4  # of the impact speed: the same normal force, damped at half a step's distance
 # Oblique: sliders differ. LAMMPS' spring is not capped by itself, so the stronger the damping is, the less it slides like
@@ -59,9 +60,10 @@ def check_impacts(bench, checks):
         steps = round(case["duration"] / case["time_step"])
         ours = bench.kernel_state(name, start, steps, "leapfrog")
         theirs = bench.lammps_state(name, start, steps)
-        found, _ = impacts(case["diameter"], case["pipe_diameter"], case["pipe_length"])
+        d = kinds_of(case)[0].diameter
+        found, _ = impacts(d, case["pipe_diameter"], case["pipe_length"], SMALLER * d if name in SIZES else None)
         head_on = [impact for impact in found if impact.angle == 0]
-        straight, oblique = (maximum_difference(ours, theirs, some, case["diameter"] / 2) for some in (head_on, found))
+        straight, oblique = (maximum_difference(ours, theirs, some, d / 2) for some in (head_on, found))
         checks.at_most(f"{name}: {len(head_on)} head-on impacts, of the impact speed", straight, HEAD_ON_BOUND)
         bound = STRONGLY_DAMPED_BOUND if name in STRONGLY_DAMPED else OBLIQUE_BOUND
         checks.at_most(f"{name}: all {len(found)} impacts, speeds and spin", oblique, bound)
@@ -73,6 +75,6 @@ def check_impacts(bench, checks):
         if name == "impacts":
             for share in (0.5, 0.0):
                 less = bench.lammps_state(name, start, steps, change=lambda file, text: less_damped(text, share))
-                apart = maximum_difference(ours, less, found, case["diameter"] / 2)
+                apart = maximum_difference(ours, less, found, d / 2)
                 checks.note(f"{name}: {share:g} of the tangential damping would be further off", apart > oblique, f"{apart:.2g}")
     return ["| impacts | e | head-on | all |", "|---|---|---|---|", *rows]

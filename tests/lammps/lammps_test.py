@@ -17,7 +17,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 
-from beside import Bench, Checks, law_of, read_final, read_header, scene_files  # noqa: E402
+from beside import Bench, Checks, read_final, read_header, scene_files  # noqa: E402
 from check_gas import check_gas  # noqa: E402
 from check_impacts import check_impacts  # noqa: E402
 from check_motion import check_trajectories  # noqa: E402
@@ -33,7 +33,7 @@ def check_cases(bench, checks):
         if case["has_gas"] and not (bench.build / "lammps" / "gas_beside" / case["name"]).exists():
             folder = bench.out / case["name"]
             folder.mkdir(parents=True, exist_ok=True)
-            texts = scene_files.files(case, law_of(case), read_final(state), "a test")
+            texts = scene_files.files(case, read_final(state), "a test")
             for name, text in texts.items():
                 (folder / name).write_text(text)
             done = subprocess.run(["lmp", "-in", "scene.in", "-screen", "none"], cwd=folder, check=False)

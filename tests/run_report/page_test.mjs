@@ -56,12 +56,14 @@ const pixels = () => page.evaluate(() => {
 check('heading is the title of the case', (await page.textContent('h1')) === expected.title);
 check('the status is among the verdicts', (await page.textContent('table')).includes(expected.status));
 check('number of frames', (await page.evaluate(() => fixdem.frames.times.length)) === expected.frames);
-for (const {frame, particle, position, contacts} of expected.samples) {
+for (const {frame, particle, position, contacts, radius} of expected.samples) {
   const found = await page.evaluate(([f, p]) => fixdem.frames.position(f, p), [frame, particle]);
   const off = Math.max(...found.map((value, k) => Math.abs(value - position[k]) / expected.step[k]));
   check(`particle ${particle} in frame ${frame} is where the frame's file says, to half a step`, off <= 0.5001, off.toFixed(3));
   const number = await page.evaluate(([f, p]) => fixdem.frames.values.contacts.numbers[f * fixdem.frames.particles + p], [frame, particle]);
   check('... with as many contacts', number === contacts, number);
+  const size = await page.evaluate((p) => fixdem.player.scene.radii[p], particle);
+  check('... as large as it is', Math.abs(size - radius) <= expected.radius_step / 131070 + 1e-7 * radius, size);
 }
 const map = await page.evaluate(() => fixdem.run.maps.map(({name, values}) => ({name, rows: values.length, last: values.at(-1)})));
 check('solids fraction of the last frame adds up to the volume of the particles',

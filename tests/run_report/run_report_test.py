@@ -21,7 +21,9 @@ root = Path(__file__).parent.parent.parent
 for part in ("report", "run_report"):
     sys.path.insert(0, str(root / "tools" / part))
 import page_content
+import page_parts
 import player_data
+import run_folder
 from frames import frame_list, read_frame
 
 passed = failed = 0
@@ -67,6 +69,37 @@ def packing():
     check("... and those that are left are right", found["z"].shape == left.shape and np.abs(found["z"] - left).max() < np.ptp(left) / 65535)
 
 
+def sizes():
+    """What particles differ in comes once and is there for colours."""
+    random = np.random.default_rng(2)
+    position, velocity = random.random((5, 40, 3)), random.random((5, 40, 3))
+    contacts = np.zeros((5, 40), int)
+    own = {"diameter": 0.004 + 0.006 * random.random(40), "species": np.arange(40) % 3, "names": ["a", "b", "c"]}
+    about, text = player_data.pack(list(range(5)), position, velocity, contacts, own=own)
+    data = zlib.decompress(base64.b64decode(text))[-3 * 40 :]
+    found = about["own"]["diameter"]["low"] + about["own"]["diameter"]["step"] * (np.frombuffer(data[:40], np.uint8) + 256.0 * np.frombuffer(data[40:80], np.uint8))
+    check("own diameters come back to half a step", np.abs(found - own["diameter"]).max() < 0.5001 * about["own"]["diameter"]["step"])
+    check("... and species with their names", data[80:] == bytes(own["species"].astype(np.uint8)) and about["own"]["species"]["names"] == ["a", "b", "c"])
+    run = {"end": 1.0, "directions": ""}
+    page = page_parts.player(run, about)
+    check("... and are what particles are coloured by at first", 'id="colour"><option value="species">' in page)
+    about, _ = player_data.pack(list(range(5)), position, velocity, contacts)
+    equal = page_parts.player(run, about)
+    check("equal particles have neither", "own" not in about and 'id="colour"><option value="axial">' in equal and "diameter" not in equal)
+
+    frames = {"radius": np.array([0.005, 0.0025]), "species": None, "pressure_gradient": None, "position": np.array([[[0, 0, 0.055], [0, 0, 0.355]]])}
+    pipe = {"diameter": 0.05, "length": 0.4}
+    fractions = run_folder.solids_fraction(pipe, frames, run_folder.slices_of(pipe, frames))
+    check("solids by volume: an eighth of it for half the diameter", fractions.shape == (1, 40) and abs(fractions[0, 5] / fractions[0, 35] - 8) < 1e-9)
+    case = {"particles": {"density": 1e3, "species": [{"name": "large", "count": 2}, {"name": "small", "count": 3}]}, "start": {"particle": []}}
+    summary = {"features": [], "precision": "double", "final": {"state_hash": "0"}}
+    rows = page_content.facts(summary, case)
+    check("the case has a row for each species", rows.count("[[particles.species]]") == 2 and "name = small, count = 3" in rows)
+    check("... and its particles are theirs", page_content.particle_count(case) == 5)
+    (chart,) = page_content.charts({"mean axial velocity of small [m/s]": [1.0]})
+    check("... and its log a line for each", [line["label"] for line in chart["lines"]] == ["mean axial velocity of small"])
+
+
 def rolling():
     """The ledger and its chart have what is lost by rolling where a run has it."""
     energy = {"kinetic": 1.0, "elastic": 0.5, "dissipated_damping": 2.0, "dissipated_sliding": 1.0, "made_by_law": 0.0, "gravity_work": 3.0,
@@ -84,9 +117,9 @@ def expectations(run, case):
     position = np.array([frame["position"] for _, frame in frames])
     with (run / "log.csv").open(newline="") as file:
         last = list(csv.DictReader(file))[-1]
-    particles = case["particles"]
+    radii = frames[0][1]["radius"]
     pipe = math.pi / 4 * case["pipe"]["diameter"] ** 2 * case["pipe"]["length"]
-    picks = [(0, 0), (len(frames) // 2, particles["count"] // 3), (len(frames) - 1, particles["count"] - 1)]
+    picks = [(0, 0), (len(frames) // 2, len(radii) // 3), (len(frames) - 1, len(radii) - 1)]
     return {
         "title": case["title"],
         "status": json.loads((run / "summary.json").read_text())["status"],
@@ -94,16 +127,19 @@ def expectations(run, case):
         "end": float(last["time [s]"]),
         "second_time": frames[1][0],
         "step": list(np.ptp(position, axis=(0, 1)) / 65535),
-        "mean_fraction": particles["count"] * math.pi / 6 * particles["diameter"] ** 3 / pipe,
+        "mean_fraction": sum(4 / 3 * math.pi * radius**3 for radius in radii) / pipe,
+        "radius_step": max(radii) - min(radii),
         "pressure_drop": float(last["pressure drop [Pa]"]) if "gas" in case else None,
         "pipe_length": case["pipe"]["length"],
         "charts": 8 if "gas" in case else 5,
-        "samples": [{"frame": f, "particle": p, "position": frames[f][1]["position"][p], "contacts": frames[f][1]["contacts"][p]} for f, p in picks],
+        "samples": [{"frame": f, "particle": p, "position": frames[f][1]["position"][p], "contacts": frames[f][1]["contacts"][p],
+                     "radius": radii[p]} for f, p in picks],
     }  # fmt: skip
 
 
 def main(run, page, case_file, node_folder, chromium, *pictures):
     packing()
+    sizes()
     rolling()
     check("the page is below 15 MB", Path(page).stat().st_size < 15e6, f"{Path(page).stat().st_size / 1e6:.2f} MB")
     text = Path(page).read_text()

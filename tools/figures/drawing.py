@@ -14,7 +14,7 @@ from side_view import axis, document, save
 COLOURS = ("#5b329a", "#0f7a75", "#a8470a", "#1f5fb4", "#93145f", "#4c6411", "#000000")
 LOOK = "".join(f"set linetype {k} linecolor '{colour}'\n" for k, colour in enumerate(COLOURS, 1))
 LOOK += "set border 3\nset tics nomirror out\nset grid linecolor '#dddddd'\nset pointsize 1.2\n"
-STYLES = {"plain": 'fill="#ffffff"', "marked": 'fill="#000000"'}
+STYLES = {"plain": "#ffffff", "marked": "#000000"}
 
 
 def gnuplot(script, path, width=760, height=460):
@@ -47,5 +47,4 @@ def side_views(panels, pipe, path, scale=1300, columns=1, note="along the pipe, 
         return (axis(pipe["length"], scale, left, top) if columns == 1 else "") + words
 
     kinds = [(label, frame, ["marked" if m else "plain" for m in marked]) for label, frame, marked in panels]
-    radius = panels[0][1]["radius"][0]
-    save(document(kinds, pipe, radius, STYLES, scale, (50 if columns == 1 else 30, foot), columns), path, 16)
+    save(document(kinds, pipe, STYLES, scale, (50 if columns == 1 else 30, foot), columns), path, 16)

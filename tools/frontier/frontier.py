@@ -29,6 +29,8 @@ class Facts:
         def value(name):
             return float.fromhex(re.search(rf" {name} = (0x[^;]*);", text).group(1))
 
+        if "SizeRun sizes[]" in text:
+            raise SystemExit(f"{header}: make frontier measures scenes of equal spheres only; give it a case with [particles] count and diameter")
         self.title = re.search(r' title = "(.*)";', text).group(1)
         self.count = int(re.search(r" particle_count = (\d+);", text).group(1))
         self.time_step, self.duration, self.diameter = value("time_step"), value("duration"), value("diameter")

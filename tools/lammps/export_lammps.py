@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "peers"))
-from case_values import law_of, read_header
+from case_values import read_header
 from ending import Failed, finish
 from scene_files import SUFFIX, Refused, files
 from states import read_final
@@ -53,7 +53,7 @@ def main():
                         "and without STATE the export is of the case's own start")
     case, state = read_header(chosen.header), read_final(chosen.state)
     try:
-        texts = files(case, law_of(case), state, chosen.origin or f"the state {chosen.state}", chosen.repeat)
+        texts = files(case, state, chosen.origin or f"the state {chosen.state}", chosen.repeat)
     except Refused as refused:
         raise Failed(3, f"{case['source']}: {refused}") from None
     write_all(chosen.out, texts)

@@ -51,6 +51,7 @@ struct Case : cases::FIXDEM_CASE {
   static constexpr int slice_count = Original::slice_count * FIXDEM_REPEAT;
 };
 static_assert(Case::has_gas, "LAMMPS alone runs a case without gas");
+static_assert(!has_sizes<Case>, "particles of several sizes have no gas beside LAMMPS: export refuses them");
 
 class GasBeside {
  public:
@@ -119,7 +120,7 @@ class GasBeside {
       const double turns = profile.is_periodic ? std::floor(x[i][2] / Case::pipe_length) : 0;
       program::count_particle(profile, x[i][2] - turns * Case::pipe_length, v[i][2]);
     }
-    add_up(profile.particles.data(), MPI_INT);
+    add_up(profile.particles.data(), MPI_DOUBLE);
     add_up(profile.axial_momentum.data(), MPI_DOUBLE);
     samples_.advance(step);
     if (rank_ != 0) return;

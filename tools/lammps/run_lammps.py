@@ -17,7 +17,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "peers"))
-from case_values import law_of, read_header
+from case_values import read_header
 from ending import Failed, finish
 from export_lammps import clear_results, positive
 from scene_files import SUFFIX
@@ -80,7 +80,7 @@ def summary(folder, case, ranks, repeat=1):
     state = read_dump(folder / "final.lammpstrj")
     if len(state.positions) != particles:
         raise Failed(3, f"{folder}/final.lammpstrj: {len(state.positions)} particles, log.lammps says {particles}")
-    seen = observe(whole, law_of(case), state)
+    seen = observe(whole, state)
     plug = folder / "plug.json"
     return {
         "case": case["name"],

@@ -10,12 +10,14 @@ by velocity Verlet in double precision, and its contacts begin without history.
 
 import math
 
+from case_values import spheres_of
 from lammps_law import law_commands, refusal
 from peer_inputs import data_file
 
-SKIN = 0.05  # of the neighbour list, in diameters: between the fastest for beds and for particles in flight (bench/README.md)
+SKIN = 0.05  # of the neighbour list, in diameters of the smallest sphere: between the fastest for beds and for particles in flight (bench/README.md)
 NEAR_REACH = 1.1  # in diameters: who has no other centre within it may float (kernel/gas_slices.hpp)
 COLUMNS = "id x y z vx vy vz omegax omegay omegaz"
+SIZE_COLUMNS = " type radius"  # where there are several sizes: the type is the species
 SUFFIX = ".part"  # of a file that is not complete yet
 
 
@@ -32,8 +34,27 @@ def check(case, state, repeat):
             f"the state has {len(state.positions)} particles and the case {case['particle_count']}; "
             "take a state of this case, or change [particles] count"
         )
+    if reason is None and ("sizes" in case or state.diameters is not None):
+        reason = other_particle(case, state)
     if reason:
         raise Refused(reason)
+
+
+def other_particle(case, state):
+    """The first particle that is another one in the state, in words; None where there is none."""
+    for number, sphere in enumerate(spheres_of(case)):
+        for what, there in (("diameter", state.diameters), ("density", state.densities)):
+            here = getattr(sphere, what)
+            if there is not None and there[number] != here:
+                return (
+                    f"particle {number} has {what} {there[number]:g} in the state and {here:g} in the case; allowed: the same diameters "
+                    "and densities, number by number; take a state of this case"
+                )
+    return None
+
+
+def columns(case):
+    return COLUMNS + (SIZE_COLUMNS if "sizes" in case else "")
 
 
 def whole_steps(case, seconds):
@@ -68,8 +89,8 @@ def gas_commands(case):
     return ["group floating empty", f"fix gas all external pf/callback {every} 1"]
 
 
-def scene_script(case, law, origin, repeat=1):
-    d, gravity = case["diameter"], case["gravity"]
+def scene_script(case, origin, repeat=1):
+    d, gravity = min(sphere.diameter for sphere in spheres_of(case)), case["gravity"]
     strength = math.hypot(*gravity)
     # Ghosts must reach whoever lies within 1.1 d now, though lists may be half a skin old on either side.
     reach = [f"comm_modify cutoff {(NEAR_REACH + 2 * SKIN) * d!r}"] if case["has_gas"] else []
@@ -88,7 +109,7 @@ def scene_script(case, law, origin, repeat=1):
         f"neighbor {SKIN * d!r} bin",
         "neigh_modify every 1 delay 0 check yes",
         "",
-        *law_commands(case, law),
+        *law_commands(case),
         *(gas_commands(case) if case["has_gas"] else []),
         "fix spread all balance 1000 1.1 shift z 10 1.05  # a plug has three times the particles of the rest of the pipe",
         "fix move all nve/sphere",
@@ -101,7 +122,7 @@ def scene_script(case, law, origin, repeat=1):
 def steps_script(case):
     """Output and the one run: a second one with set-up would convert the wall's damping twice (lammps_law.py)."""
     frames = whole_steps(case, case["frame_interval"]) if case["frame_interval"] else 0
-    dump = 'dump frames all custom ${frames} frames.lammpstrj' + f" {COLUMNS}"
+    dump = 'dump frames all custom ${frames} frames.lammpstrj' + f" {columns(case)}"
     lines = [
         f"variable steps index {round(case['duration'] / case['time_step'])}",
         f"variable frames index {frames}  # steps from one to the next, 0: none",
@@ -112,15 +133,15 @@ def steps_script(case):
         f"thermo {whole_steps(case, case['log_interval'])}",
         f"if '${{frames}} > 0' then '{dump}' 'dump_modify frames format float %.17g'",
         "run ${steps}",
-        f"write_dump all custom final.lammpstrj {COLUMNS} modify format float %.17g",
+        f"write_dump all custom final.lammpstrj {columns(case)} modify format float %.17g",
     ]
     return "\n".join(lines) + "\n"
 
 
-def files(case, law, state, origin, repeat=1):
+def files(case, state, origin, repeat=1):
     """name -> text of every file."""
     check(case, state, repeat)
-    texts = {"data": data_file(case, state), "scene.in": scene_script(case, law, origin, repeat), "steps.in": steps_script(case)}
+    texts = {"data": data_file(case, state), "scene.in": scene_script(case, origin, repeat), "steps.in": steps_script(case)}
     if not case["has_gas"]:
         texts["run.in"] = "include scene.in\ninclude steps.in\n"
     return texts

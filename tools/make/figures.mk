@@ -12,8 +12,11 @@ $(figure_impacts): tools/figures/impacts.cpp $(build)/cases/collide_wall.hpp
 	$(call say,compile $<)
 	$(quiet)$(CXX) $(tool_flags) $(link_flags) $< $(libraries) $(call kept,$@.d)
 
+# Whose runs are shown as they are.
+figure_scenes := settle heap_rolling heap_sliding settle_two_sizes plug_u24 plug_sizes plug_two_sizes
+
 .PHONY: build-figures
-build-figures: $(figure_impacts) $(figure_decays) $(addprefix $(build)/bin/,$(plug_cases) settle heap_rolling heap_sliding)
+build-figures: $(figure_impacts) $(figure_decays) $(addprefix $(build)/bin/,$(plug_cases) $(figure_scenes))
 
 .PHONY: plug-table
 plug-table:  ## run the five plugs from three seeds of each fill (those not yet run) and rewrite the table in cases/README.md
@@ -25,7 +28,7 @@ plug-table:  ## run the five plugs from three seeds of each fill (those not yet 
 figures:  ## the paper's figures from runs of our own (those not yet made): cases/gallery/ and cases/README.md; JOBS=1: one at a time
 	$(needs) run table report picture figures
 	$(files) build-figures
-	+@for name in settle heap_rolling heap_sliding; do $(MAKE) final-state CASE=$$name $(plainly) || exit; done
+	+@for name in $(figure_scenes); do $(MAKE) final-state CASE=$$name $(plainly) || exit; done
 	@$(numpy_python) tools/figures/figures.py cases/README.md --out cases/gallery --programs $(build)/bin --impacts $(figure_impacts) \
 	  --decays $(figure_decays) --jobs $(JOBS)
 

@@ -126,8 +126,8 @@ def compare_scene(scene, fixdem, peers, runs):
         for peer in peers:
             theirs = peer.run(scene.case, law, scene.start, scene.stretch, skins[peer.name] * scene.case["diameter"])
             seconds[peer.name].append(theirs.seconds)
-            final[peer.name] = observe(scene.case, law, theirs.state)
-    observed = observe(scene.case, law, ours.state)
+            final[peer.name] = observe(scene.case, theirs.state)
+    observed = observe(scene.case, ours.state)
     wrong = sum(disagreements(f"{scene.name}, {name}", scene.check(scene.case, law, observed, theirs)) for name, theirs in final.items())
     remarks = {fixdem.name: "", **{name: f"skin {skin:g} d" for name, skin in skins.items()}}
     return rates.rows_of(scene.name, seconds, scene.stretch.timed * scene.case["particle_count"], remarks), wrong

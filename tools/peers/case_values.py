@@ -9,6 +9,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+SIZE_RUN = re.compile(r"\{\s*(\d+),\s*([^,{}]+),\s*([^,{}]+),\s*(\d+)\s*\}")  # kernel/sizes.hpp
 MEMBER = re.compile(r"static constexpr [\w:* ]+? (\w+)(\[\d*\])? = (.*?);", re.DOTALL)
 
 # What the peers are given here; a case that asks for something else is refused.
@@ -51,7 +52,10 @@ def read_header(header):
     """The members of the struct in a header of casegen: name -> value; what it leaves out has its default."""
     text = Path(header).read_text()
     case = {name: value_of(value) for name, _, value in MEMBER.findall(text)}
-    needed = {*REQUIRED, "friction", "restitution", "particle_count", "diameter", "pipe_diameter", "gravity", "time_step"}
+    if "sizes" in case:
+        case["sizes"] = tuple(tuple(map(value_of, run)) for run in SIZE_RUN.findall(case["sizes"]))
+    needed = {*REQUIRED, "friction", "restitution", "particle_count", "pipe_diameter", "gravity", "time_step"}
+    needed |= {"species_count"} if "sizes" in case else {"diameter", "density"}
     missing = sorted(needed - {"friction_limit", "rolling_friction", "wall_rolling_friction"} - set(case))
     if missing:
         raise SystemExit(f"{header}: no {', '.join(missing)} in it: not a header of casegen, or one of another version")
@@ -67,6 +71,8 @@ def with_defaults(case):
 def read_case(header):
     """The same of a case that peers can be given."""
     case = read_header(header)
+    if "sizes" in case:
+        raise SystemExit(f"{header}: its particles are of several sizes; the peers can be given one size only")
     for key, wanted in REQUIRED.items():
         if case[key] != wanted:
             raise SystemExit(f"{header}: {key} is {case[key]}; the peers can be given {wanted} only")
@@ -74,8 +80,38 @@ def read_case(header):
 
 
 @dataclass(frozen=True)
+class Sphere:
+    """What a particle is; species from 0."""
+
+    diameter: float
+    density: float
+    species: int = 0
+
+    @property
+    def radius(self):
+        return self.diameter / 2
+
+    @property
+    def mass(self):
+        return math.pi / 6 * self.diameter**3 * self.density
+
+
+def spheres_of(case):
+    """Every particle, by number. Of a case that is repeated, all copies one after the other."""
+    if "sizes" not in case:
+        return [Sphere(case["diameter"], case["density"])] * case["particle_count"]
+    once = [Sphere(*kind) for count, *kind in case["sizes"] for _ in range(count)]
+    return once * (case["particle_count"] // len(once))
+
+
+def kinds_of(case):
+    """One sphere of each species, in their order."""
+    return [sphere for _, sphere in sorted({sphere.species: sphere for sphere in spheres_of(case)}.items())]
+
+
+@dataclass(frozen=True)
 class Law:
-    """K and k of F_n = K overlap^(3/2), k_t = k overlap^(1/2); alpha of eta = alpha (M K)^(1/2) overlap^(1/4), M being the
+    """Of two spheres of one kind, and of such a sphere at a wall: K and k of F_n = K overlap^(3/2), k_t = k overlap^(1/2); alpha of eta = alpha (M K)^(1/2) overlap^(1/4), M being the
     reduced mass. With the linear law K and k are in N/m and alpha is not used."""
 
     radius: float
@@ -94,12 +130,11 @@ def damping_ratio(restitution):
     return -math.log(restitution) / math.hypot(math.pi, math.log(restitution))
 
 
-def stiffnesses_of(case):
+def stiffnesses_of(case, radius):
     """Normal and tangential, of pairs and walls: the fields of Law."""
     if case["normal"] == "linear":
         normal, tangential = case["normal_stiffness"], case["tangential_stiffness"]
         return {"normal_pair": normal, "normal_wall": normal, "tangential_pair": tangential, "tangential_wall": tangential}
-    radius = case["diameter"] / 2
     modulus, poisson = case["youngs_modulus"], case["poisson_ratio"]
     shear = modulus / (2 * (1 + poisson))
     compliance = (1 - poisson**2) / modulus
@@ -112,11 +147,13 @@ def stiffnesses_of(case):
     }
 
 
-def law_of(case):
+def law_of(case, sphere=None):
+    """Of this sphere, or of the first kind."""
+    sphere = sphere or kinds_of(case)[0]
     return Law(
-        radius=case["diameter"] / 2,
-        mass=math.pi / 6 * case["diameter"] ** 3 * case["density"],
-        **stiffnesses_of(case),
+        radius=sphere.radius,
+        mass=sphere.mass,
+        **stiffnesses_of(case, sphere.radius),
         alpha=math.sqrt(5) * damping_ratio(case["restitution"]),
         friction=case["friction"],
         wall_friction=case["wall_friction"],

@@ -17,9 +17,14 @@ the middle of the overlap instead of the radius.
 with the torque R n x q: the kernel's, with a constant k. R is the effective radius again, so inside a cylinder all three
 coefficients are scaled to give the torque of a flat wall. LAMMPS caps by the whole normal force where the kernel takes its
 elastic part, and does not cap the spring by itself, as with friction.
+
+Spheres of several sizes: with Hertz, LAMMPS has each contact's own effective radius and reduced mass in stiffness and damping, and
+the spheres' own radii in slip and rolling, as the kernel has, so that one line holds for all pairs. The dashpot of
+the linear law has one coefficient for each pair of types, and a wall one for each type: the pipe's effective radius is another
+for each sphere.
 """
 
-from case_values import damping_ratio
+from case_values import damping_ratio, kinds_of, law_of
 
 TANGENTIAL = {"displacement": "mindlin", "force": "mindlin/force", "rescale": "mindlin_rescale/force"}
 LOOK_LIKE = "{what} cannot be given to LAMMPS: {why}; {advice}"
@@ -33,6 +38,10 @@ def refusal(case):
 
     if case["ends"] == "open":
         return words('ends = "open"', "its box has walls or is periodic", 'choose [pipe] ends = "periodic" or "closed"')
+    if "sizes" in case and case["species_count"] == 0:
+        return words("[particles.sizes]", "its walls have one coefficient for each kind of sphere", "choose [[particles.species]]")
+    if "sizes" in case and case["has_gas"]:
+        return words("gas with particles of several sizes", "the gas beside it counts equal spheres", "leave [gas] out, or take one size")
     if case["friction_limit"] != "total":
         return words('friction_limit = "elastic"', "it caps friction by the whole normal force", 'choose [contact] friction_limit = "total"')
     for key in ("rolling_friction", "wall_rolling_friction"):
@@ -97,37 +106,64 @@ def rolling(stiffness, damping, friction, lever):
     return f" rolling sds {stiffness * lever**2!r} {damping * lever**2!r} {friction * lever!r}" if friction else ""
 
 
-def linear_contact(case, law, damped_mass, friction, restitution, rolling_friction, lever=1.0):
+def linear_contact(case, law, mass, friction, restitution, rolling_friction, critical_mass, lever=1.0):
+    """mass: that of the damping; critical_mass: that of critical damping."""
     if case["damping"] == "critical":  # eq. (23), in both directions
-        damping, share = 2 * (law.mass * law.normal_pair) ** 0.5, (law.tangential_pair / law.normal_pair) ** 0.5
+        damping, share = 2 * (critical_mass * law.normal_pair) ** 0.5, (law.tangential_pair / law.normal_pair) ** 0.5
     else:
-        damping, share = 2 * damping_ratio(restitution) * (damped_mass * law.normal_pair) ** 0.5, 1.0
+        damping, share = 2 * damping_ratio(restitution) * (mass * law.normal_pair) ** 0.5, 1.0
     spring = f"linear_history {law.tangential_pair!r} {share!r} {friction!r}" if friction else "linear_nohistory 0.0 0.0"
     spring += rolling(law.tangential_pair, damping * share, rolling_friction, lever)
     return f"hooke {law.normal_pair!r} {damping!r} tangential {spring} damping velocity"
 
 
-def law_commands(case, law):
-    """Pair style, and a fix for each wall there is: `wall` the pipe, `ends` both flat ends of a closed one."""
-    cylinder = case["pipe_diameter"] / 2
-    pair_root, end_root = (law.radius / 2) ** 0.5, law.radius**0.5
-    pipe_root = (law.radius * 2 * cylinder / (2 * cylinder - law.radius)) ** 0.5
+def pair_commands(case, kinds):
+    """One for all pairs, or with the linear law one for each pair of types."""
+    law = law_of(case, kinds[0])
+    if case["normal"] != "linear":
+        contact = hertz_contact(case, law.normal_pair, law.tangential_pair, (law.radius / 2) ** 0.5, alphas(case)[0], law.friction)
+        return [f"pair_coeff * * {contact}"]
+
+    def contact(reduced_mass):
+        mass = reduced_mass * (2 if case["damping_mass"] == "particle" else 1)
+        return linear_contact(case, law, mass, law.friction, case["restitution"], case["rolling_friction"], 2 * reduced_mass)
+
+    if len(kinds) == 1:
+        return [f"pair_coeff * * {contact(law.mass / 2)}"]
+    masses = [kind.mass for kind in kinds]
+    pairs = [(i, j) for i in range(len(kinds)) for j in range(i, len(kinds))]
+    return [f"pair_coeff {i + 1} {j + 1} {contact(masses[i] * masses[j] / (masses[i] + masses[j]))}" for i, j in pairs]
+
+
+def wall_commands(case, kind, group, suffix):
+    """`wall` is the pipe, `ends` both flat ends of a closed one, for the spheres of a group."""
+    law, cylinder = law_of(case, kind), case["pipe_diameter"] / 2
+    end_root, pipe_root = law.radius**0.5, (law.radius * 2 * cylinder / (2 * cylinder - law.radius)) ** 0.5
     if case["normal"] == "linear":
-        pair_mass = law.mass / (2 if case["damping_mass"] == "reduced" else 1)
-        pair = linear_contact(case, law, pair_mass, law.friction, case["restitution"], case["rolling_friction"])
         pipe, end = (
-            linear_contact(case, law, law.mass, law.wall_friction, case["wall_restitution"], case["wall_rolling_friction"], lever)
+            linear_contact(case, law, law.mass, law.wall_friction, case["wall_restitution"], case["wall_rolling_friction"], law.mass, lever)
             for lever in ((end_root / pipe_root) ** 2, 1.0)
         )
     else:
-        pair_alpha, wall_alpha = alphas(case)
-        pair = hertz_contact(case, law.normal_pair, law.tangential_pair, pair_root, pair_alpha, law.friction)
         pipe, end = (
-            hertz_contact(case, law.normal_wall, law.tangential_wall, root, wall_alpha, law.wall_friction) for root in (pipe_root, end_root)
+            hertz_contact(case, law.normal_wall, law.tangential_wall, root, alphas(case)[1], law.wall_friction) for root in (pipe_root, end_root)
         )
-    lines = ["pair_style granular", f"pair_coeff * * {pair}"]
+    lines = []
     if case["has_wall"]:
-        lines.append(f"fix wall all wall/gran granular {pipe} zcylinder {cylinder!r}")
+        lines.append(f"fix wall{suffix} {group} wall/gran granular {pipe} zcylinder {cylinder!r}")
     if case["ends"] == "closed":
-        lines.append(f"fix ends all wall/gran granular {end} zplane 0.0 {case['pipe_length']!r}")
+        lines.append(f"fix ends{suffix} {group} wall/gran granular {end} zplane 0.0 {case['pipe_length']!r}")
+    return lines
+
+
+def law_commands(case):
+    """Pair style, and a fix for each wall there is, of several kinds of spheres one for each."""
+    kinds = kinds_of(case)
+    lines = ["pair_style granular", *pair_commands(case, kinds)]
+    if len(kinds) == 1:
+        return lines + wall_commands(case, kinds[0], "all", "")
+    for kind in kinds:
+        number = kind.species + 1
+        walls = wall_commands(case, kind, f"kind_{number}", f"_{number}")
+        lines += [f"group kind_{number} type {number}", *walls] if walls else []
     return lines

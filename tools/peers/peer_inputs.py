@@ -10,6 +10,7 @@ bench/README.md says which settings and why; LAMMPS' law is that of lammps_law.p
 
 from dataclasses import dataclass
 
+from case_values import kinds_of, spheres_of
 from lammps_law import law_commands
 
 
@@ -24,12 +25,13 @@ class Stretch:
 
 
 def data_file(case, state):
-    """The same text for both programs: their columns of spheres agree. Type 2 is the material of the wall in LIGGGHTS."""
+    """The same text for both programs: their columns of spheres agree. A type is a species; type 2 of equal spheres is the
+    material of the wall in LIGGGHTS."""
     half = 0.6 * case["pipe_diameter"]
-    lines = ["spheres in a pipe", "", f"{len(state.positions)} atoms", "2 atom types", ""]
+    lines = ["spheres in a pipe", "", f"{len(state.positions)} atoms", f"{max(2, len(kinds_of(case)))} atom types", ""]
     lines += [f"{-half!r} {half!r} xlo xhi", f"{-half!r} {half!r} ylo yhi", f"0 {case['pipe_length']!r} zlo zhi", "", "Atoms", ""]
-    for number, place in enumerate(state.positions, 1):
-        lines.append(f"{number} 1 {case['diameter']!r} {case['density']!r} " + " ".join(map(repr, place)))
+    for number, (sphere, place) in enumerate(zip(spheres_of(case), state.positions), 1):
+        lines.append(f"{number} {sphere.species + 1} {sphere.diameter!r} {sphere.density!r} " + " ".join(map(repr, place)))
     lines += ["", "Velocities", ""]
     for number, (v, w) in enumerate(zip(state.velocities, state.spins), 1):
         lines.append(f"{number} " + " ".join(map(repr, (*v, *w))))
@@ -69,7 +71,7 @@ def script(program, case, law, stretch, skin):
         "read_data data",
         f"neighbor {skin!r} bin",
         "neigh_modify every 1 delay 0 check yes",
-        *(law_commands(case, law) if lammps else liggghts_law(case, law)),
+        *(law_commands(case) if lammps else liggghts_law(case, law)),
         "fix move all nve/sphere",
         *([f"fix weight all gravity {strength!r} vector " + " ".join(map(repr, gravity))] if strength else []),
         f"timestep {stretch.time_step!r}",

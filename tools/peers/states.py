@@ -6,8 +6,10 @@ difference is one of the simulation and not of what a program calls a contact.
 
 import math
 import struct
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
+
+from case_values import spheres_of
 
 
 @dataclass
@@ -17,6 +19,8 @@ class State:
     positions: list
     velocities: list
     spins: list
+    diameters: list = field(default=None, compare=False)  # m; None where the file does not say them one by one
+    densities: list = field(default=None, compare=False)  # kg/m3
 
 
 @dataclass(frozen=True)
@@ -27,24 +31,29 @@ class Observed:
 
 
 def read_final(path):
-    """A final.fixdem; the layout is that of tools/run/state_file.hpp, versions 1 and 2."""
+    """A final.fixdem; the layout is that of tools/run/state_file.hpp, versions 1 to 4."""
     data = Path(path).read_bytes()
     if data[:8] != b"FIXDEM\x1a\n":
         raise SystemExit(f"{path}: no state file of fixdem (wrong first bytes)")
     order = "<" if data[8:12] == b"\x04\x03\x02\x01" else ">"
     version, name_size = struct.unpack_from(order + "II", data, 12)
-    if version not in (1, 2):  # what comes later in the file is not read
-        raise SystemExit(f"{path}: state file of version {version}; this reads versions 1 and 2")
+    if version not in (1, 2, 3, 4):  # what comes later in the file is not read
+        raise SystemExit(f"{path}: state file of version {version}; this reads versions 1 to 4")
     at = 20 + name_size + 8 + 4 + 4
     (count,) = struct.unpack_from(order + "Q", data, at)
     at += 8 + 3 * 8 + 8
-    if len(data) < at + 76 * count + 16:
+    has_sizes = version > 2
+    if len(data) < at + (92 if has_sizes else 76) * count + 16:
         raise SystemExit(f"{path}: cut short: {len(data)} bytes for {count} particles")
     fields = []
     for _ in range(3):
         flat = struct.unpack_from(f"{order}{3 * count}d", data, at)
         fields.append([flat[3 * i : 3 * i + 3] for i in range(count)])
         at += 24 * count
+    at += 4 * count  # crossings of the ends
+    for _ in range(2 if has_sizes else 0):
+        fields.append(list(struct.unpack_from(f"{order}{count}d", data, at)))
+        at += 8 * count
     return State(*fields)
 
 
@@ -73,33 +82,42 @@ def read_dump(path):
 
 def count_contacts(case, positions):
     """Pairs (across periodic ends, too) and walls with an overlap."""
-    diameter, length = case["diameter"], case["pipe_length"]
-    reach = (case["pipe_diameter"] - diameter) / 2
-    walls = sum(math.hypot(x, y) > reach for x, y, _ in positions) if case["has_wall"] else 0
+    pipe, length = case["pipe_diameter"], case["pipe_length"]
+    spheres = spheres_of(case | {"particle_count": len(positions)})
+    largest = max(sphere.diameter for sphere in spheres)
+    placed = [(z, x, y, sphere.diameter) for (x, y, z), sphere in zip(positions, spheres)]
+    walls = sum(math.hypot(x, y) > (pipe - d) / 2 for _, x, y, d in placed) if case["has_wall"] else 0
     if case["ends"] == "periodic":
-        along = sorted((z % length, x, y) for x, y, z in positions)
-        along += [(z + length, x, y) for z, x, y in along if z < diameter]
+        along = sorted((z % length, *rest) for z, *rest in placed)
+        along += [(z + length, *rest) for z, *rest in along if z < largest]
     else:
-        along = sorted((z, x, y) for x, y, z in positions)
-        walls += sum(z < diameter / 2 or z > length - diameter / 2 for z, _, _ in along)
+        along = sorted(placed)
+        walls += sum(z < d / 2 or z > length - d / 2 for z, _, _, d in along)
     pairs = 0
     for i in range(len(positions)):
-        z, x, y = along[i]
+        z, x, y, d = along[i]
         for k in range(i + 1, len(along)):
             dz = along[k][0] - z
-            if dz >= diameter:
+            if dz >= largest:
                 break
-            pairs += (along[k][1] - x) ** 2 + (along[k][2] - y) ** 2 + dz * dz < diameter * diameter
+            touching = (d + along[k][3]) / 2
+            pairs += (along[k][1] - x) ** 2 + (along[k][2] - y) ** 2 + dz * dz < touching * touching
     return pairs + walls
 
 
-def observe(case, law, state):
-    inertia = 0.4 * law.mass * law.radius**2
-    translation = sum(sum(c * c for c in v) for v in state.velocities)
-    rotation = sum(sum(c * c for c in w) for w in state.spins)
+def kinetic_energy(case, state):
+    """Of all spheres of one kind together, then of all kinds."""
+    squares = {}
+    for sphere, v, w in zip(spheres_of(case), state.velocities, state.spins):
+        translation, rotation = squares.get(sphere, (0, 0))
+        squares[sphere] = (translation + sum(c * c for c in v), rotation + sum(c * c for c in w))
+    return sum(0.5 * (kind.mass * t + 0.4 * kind.mass * kind.radius**2 * r) for kind, (t, r) in squares.items())
+
+
+def observe(case, state):
     heights = [y for _, y, _ in state.positions]
     return Observed(
-        kinetic_energy=0.5 * (law.mass * translation + inertia * rotation),
+        kinetic_energy=kinetic_energy(case, state),
         contacts=count_contacts(case, state.positions),
         mean_height=case["pipe_diameter"] / 2 + math.fsum(heights) / len(heights),
     )

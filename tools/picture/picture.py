@@ -57,8 +57,8 @@ def main():
     pipe = tomllib.loads(chosen.case.read_text())["pipe"]
     frames = frames_at(chosen.run, chosen.times)
     panels = [(f"{time:.2f} s", frame, [f"p{shade(v[2], chosen.fastest)}" for v in frame["velocity"]]) for time, frame in frames]
-    styles = {f"p{k}": f'fill="{colour(k / (SHADES - 1))}"' for k in range(SHADES)}
-    svg = document(panels, pipe, frames[0][1]["radius"][0], styles, PIXELS_PER_METRE, foot(pipe, chosen.fastest))
+    styles = {f"p{k}": colour(k / (SHADES - 1)) for k in range(SHADES)}
+    svg = document(panels, pipe, styles, PIXELS_PER_METRE, foot(pipe, chosen.fastest))
     save(svg, chosen.picture)
 
 

@@ -1,6 +1,6 @@
 """Side views of a pipe as SVG: seen from the side (-x), z to the right, y up, one frame of a run in each panel.
 
-Every particle is a circle true to scale, nearer ones cover farther ones, and a particle of which nothing shows is left out,
+Every particle is a circle true to scale, of its own size, nearer ones cover farther ones, and a particle of which nothing shows is left out,
 which keeps the file small. What a circle looks like is its kind, a name that the caller gives for each particle. Lengths in
 m, drawn at `scale` pixels per metre. rsvg-convert and pngquant make the PNG of it, so that both show the same.
 """
@@ -8,6 +8,12 @@ m, drawn at `scale` pixels per metre. rsvg-convert and pngquant make the PNG of 
 import subprocess
 
 MARGIN_LEFT, MARGIN_RIGHT, MARGIN_TOP, GAP = 66, 14, 10, 12
+
+
+def one_radius(frame):
+    """Of all particles; None where they differ."""
+    radius = frame["radius"][0]
+    return radius if all(other == radius for other in frame["radius"]) else None
 
 
 def visible(particles, width, height):
@@ -38,7 +44,11 @@ def panel(frame, kinds, pipe, scale):
         for image in (z + shift for shift in ring):  # a particle across the periodic end shows at both
             if -radius < image < length + radius:
                 particles.append((x, image * scale, (diameter / 2 - y) * scale, radius * scale, kind))
-    circles = (f'<use href="#{kind}" x="{c:.1f}" y="{r:.1f}"/>' for _, c, r, _, kind in visible(particles, width, height))
+    shown = visible(particles, width, height)
+    if one_radius(frame) is None:
+        circles = (f'<circle class="{kind}" cx="{c:.1f}" cy="{r:.1f}" r="{size - 0.3:.2f}"/>' for _, c, r, size, kind in shown)
+    else:
+        circles = (f'<use href="#{kind}" x="{c:.1f}" y="{r:.1f}"/>' for _, c, r, _, kind in shown)
     return f'<rect width="{width:.1f}" height="{height:.1f}" class="pipe"/><g clip-path="url(#pipe)">' + "".join(circles) + "</g>"
 
 
@@ -51,20 +61,25 @@ def axis(length, scale, left, top):
     return "".join(parts)
 
 
-def document(panels, pipe, radius, styles, scale, foot, columns=1):
+def document(panels, pipe, styles, scale, foot, columns=1):
     """panels: (label, frame, kinds), one below the other, or row by row in several columns with the label above.
 
-    styles: kind -> attributes of its circle; foot: height and a function of x, y that draws what belongs below."""
+    styles: kind -> fill of its circle; foot: height and a function of x, y that draws what belongs below."""
     width, height = pipe["length"] * scale, pipe["diameter"] * scale
     above = 20 if columns > 1 else 0
     left = GAP if columns > 1 else max(MARGIN_LEFT, 16 + 7 * max(len(label) for label, _, _ in panels))
     pitch = height + GAP + above
     rows = -(-len(panels) // columns)
     total = left + columns * (width + GAP) - GAP + MARGIN_RIGHT, MARGIN_TOP + rows * pitch - GAP + foot[0]
-    circles = "".join(f'<circle id="{kind}" r="{radius * scale - 0.3:.2f}" {style}/>' for kind, style in styles.items())
+    radius = one_radius(panels[0][1])
+    circles = colours = ""
+    if radius is None:
+        colours = "".join(f".{kind}{{fill:{fill}}}" for kind, fill in styles.items())
+    else:
+        circles = "".join(f'<circle id="{kind}" r="{radius * scale - 0.3:.2f}" fill="{fill}"/>' for kind, fill in styles.items())
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {total[0]:.0f} {total[1]:.0f}" width="{total[0]:.0f}" height="{total[1]:.0f}">',
-        "<style>text{font:13px sans-serif;fill:#222}.pipe{fill:#f4f4f2;stroke:#444}circle{stroke:#000;stroke-width:.6}</style>",
+        "<style>text{font:13px sans-serif;fill:#222}.pipe{fill:#f4f4f2;stroke:#444}circle{stroke:#000;stroke-width:.6}" + colours + "</style>",
         f'<defs>{circles}<clipPath id="pipe"><rect width="{width:.1f}" height="{height:.1f}"/></clipPath></defs>'
         '<rect width="100%" height="100%" fill="#fff"/>',
     ]

@@ -26,6 +26,12 @@ def time_step_verdicts(stability):
     return rows
 
 
+def particle_count(case):
+    """Of all species, where the case has some."""
+    particles = case["particles"]
+    return sum(kind["count"] for kind in particles["species"]) if "species" in particles else particles["count"]
+
+
 def verdicts(summary, log, case):
     """A list of what was measured, a word for it, and the rule that the word follows from."""
     rows = []
@@ -49,7 +55,7 @@ def verdicts(summary, log, case):
     rows.append(entry("fixed arrays", f"{fullest[0]}: {number(use['high_water'])} of {number(use['limit'])}", "room enough" if use["high_water"] <= use["limit"] else "too small",
                       "the fullest one; a run that needs more stops", "good"))  # fmt: skip
     plug = summary["plug"]
-    if plug and case["particles"]["count"] > 1:
+    if plug and particle_count(case) > 1:
         found = "no plug" if plug["front_velocity"] is None else (
             f"front {plug['front_velocity']:.2f} m/s, particles in it {plug['particle_velocity']:.2f} m/s, {plug['length']:.2f} m long, "
             f"layer area ratio {number(plug['layer_area_ratio'], 2)} (eq. 41: {number(plug['layer_area_ratio_eq41'], 2)})"
@@ -58,7 +64,7 @@ def verdicts(summary, log, case):
     collision = summary["collision"]
     if collision and collision["restitution"] is not None:
         asked = case["material"]["restitution"]
-        if case["particles"]["count"] == 1:  # only a wall can have been hit
+        if particle_count(case) == 1:  # only a wall can have been hit
             asked = case["material"].get("wall_restitution", asked)
         off = collision["restitution"] - asked
         rows.append(entry("restitution of the first collision", f"{collision['restitution']:.5f}", f"{off:+.1e} from the case's", f"the case asks for {asked:g} along the normal"))
@@ -67,13 +73,14 @@ def verdicts(summary, log, case):
 
 def charts(log):
     """Those charts whose columns the log has; a column's name in the log is its key on the page, too."""
+    species = {name: name.removesuffix(" [m/s]") for name in log if name.startswith("mean axial velocity of ")}
     every = [
         ("Kinetic energy", "J", "log", {"kinetic energy translation [J]": "translation", "kinetic energy rotation [J]": "rotation"}, ""),
         ("Coordination number", "", "", {"coordination number": "contacts of a particle"}, "Two for a pair, one for a wall, over the particles."),
         ("Pressure drop over the pipe", "Pa", "", {"pressure drop [Pa]": "pressure drop"}, ""),
         ("Where the plug is", "m", "points", {"plug front [m]": "front", "plug length [m]": "length"}, "Leaving at one end, the front enters at the other."),
         ("Velocities", "m/s", "", {"max speed [m/s]": "maximum speed", "plug particle velocity [m/s]": "particles in the plug",
-                                    "mean axial velocity [m/s]": "mean axial"}, ""),
+                                    "mean axial velocity [m/s]": "mean axial", **species}, ""),
         ("Stationary layer", "", "", {"layer area ratio": "layer area ratio"}, "Solids fraction outside the plug over that inside."),
         ("Maximum overlap and time step", "", "log", {"max overlap / radius": "overlap over radius", "time step / stable step": "time step over the stable one"}, ""),
         ("Energy ledger", "J", "", {"gas work [J]": "work of the gas", "gravity work [J]": "work of gravity", "dissipated by damping [J]": "lost by damping",
@@ -127,10 +134,20 @@ def capacity(summary):
 def facts(summary, case):
     """The case as it was written, table by table, and what was compiled in."""
     rows = []
+
+    def add(name, values):
+        plain = {key: value for key, value in values.items() if key != "particle" and not isinstance(value, dict) and key != "species"}
+        words = [f"{key} = {value:g}" if isinstance(value, float) else f"{key} = {value}" for key, value in plain.items()]
+        if words or name == "[start]":
+            rows.append((name, escape(", ".join(words) or "particles placed one by one")))
+
     for name, values in case.items():
         if isinstance(values, dict):
-            words = [f"{key} = {value:g}" if isinstance(value, float) else f"{key} = {value}" for key, value in values.items() if key != "particle"]
-            rows.append((f"[{name}]", escape(", ".join(words) or "particles placed one by one")))
+            add(f"[{name}]", values)
+            for kind in values.get("species", []):
+                add(f"[[{name}.species]]", kind)
+            if "sizes" in values:
+                add(f"[{name}.sizes]", values["sizes"])
     rows.append(("compiled in", " ".join(summary["features"]).replace("_", " ") + f", {summary['precision']} precision"))
     rows.append(("final state", f"hash {summary['final']['state_hash']}"))
     return table("the case", ("part", "values, SI units"), rows)

@@ -37,7 +37,7 @@ PLAYER = """<h2>The particles</h2>
     <label>speed <select id="rate">$rates</select></label>
   </div>
   <div class="controls">
-    <label>colour <select id="colour"><option value="axial">axial velocity</option><option value="speed">speed</option>
+    <label>colour <select id="colour">$own<option value="axial">axial velocity</option><option value="speed">speed</option>
       <option value="contacts">contacts</option><option value="id">number</option></select></label>
     <span class="scale"><span id="scale-name"></span> <span id="scale-low"></span><span id="scale-bar" class="bar"></span><span id="scale-high"></span></span>
     <label><input id="cut" type="checkbox"> half of the pipe</label>
@@ -64,7 +64,9 @@ def player(run, about):
         "turn, plus and minus zoom. Between frames places are interpolated. Half of the pipe: particles whose centres are "
         "in front of the middle plane (x &lt; 0) are left out. " + run["directions"]
     )
-    return PLAYER.replace("$rates", options).replace("$caption", caption)
+    # What particles differ in comes first, and is what they are coloured by.
+    own = "".join(f'<option value="{name}">{name}</option>' for name in ("species", "diameter") if name in about.get("own", {}))
+    return PLAYER.replace("$rates", options).replace("$caption", caption).replace("$own", own)
 
 
 def charts(list_of_charts):

@@ -2,7 +2,8 @@
 
 Positions are 16-bit numbers over the box that holds all frames (0.8 m: steps of 12 um), axial velocity, speed and contacts
 8-bit ones over their range. Each array is laid out frame after frame, each frame as the difference to the one before
-(modulo 2^16 or 2^8), positions as a plane of low and a plane of high bytes: neighbours in the stream are then alike. The page
+(modulo 2^16 or 2^8), positions as a plane of low and a plane of high bytes: neighbours in the stream are then alike. What a
+particle keeps comes once, at the end: where sizes differ, diameters as 16-bit numbers and, of species, 8-bit numbers. The page
 undoes it (source/frames.js). Where frames are too many, every second, third ... is left out; then particles, likewise.
 """
 
@@ -34,8 +35,22 @@ def planes(numbers):
     return (numbers & 0xFF).astype(np.uint8).tobytes() + (numbers >> 8).astype(np.uint8).tobytes()
 
 
-def encode(times, position, velocity, contacts):
-    """position, velocity: frames x particles x 3; contacts: frames x particles. What the page needs, ready for JSON."""
+def encode_own(own):
+    """Bytes of what each particle keeps, and what the page has to know of them."""
+    stream, about = [], {}
+    if "diameter" in own:
+        numbers, low, step = quantised(own["diameter"], 65536)
+        stream.append(planes(numbers))
+        about["diameter"] = {"low": low, "step": step, "high": float(own["diameter"].max())}
+    if "species" in own:
+        stream.append(own["species"].astype(np.uint8).tobytes())
+        about["species"] = {"low": 0, "step": 1, "high": len(own["names"]) - 1, "names": own["names"]}
+    return stream, about
+
+
+def encode(times, position, velocity, contacts, own):
+    """position, velocity: frames x particles x 3; contacts: frames x particles; own: see pack(). What the page needs, ready for
+    JSON."""
     stream, scale = [], {}
     for axis, name in enumerate("xyz"):
         numbers, low, step = quantised(position[:, :, axis], 65536)
@@ -48,17 +63,21 @@ def encode(times, position, velocity, contacts):
             numbers, low, step = values.astype(np.uint8), 0.0, 1.0
         stream.append(differences(numbers).tobytes())
         scale[name] = {"low": low, "step": step, "high": float(values.max())}
-    packed = zlib.compress(b"".join(stream), 9)
+    own_stream, own_scale = encode_own(own)
+    packed = zlib.compress(b"".join(stream + own_stream), 9)
     about = {"times": [float(f"{time:.9g}") for time in times], "particles": position.shape[1], "scale": scale}
-    return about, packed
+    return about | ({"own": own_scale} if own_scale else {}), packed
 
 
-def pack(times, position, velocity, contacts, budget=BUDGET):
-    """encode() of as much as fits: the description with what was left out, and the frames as base64 text."""
+def pack(times, position, velocity, contacts, budget=BUDGET, own=None):
+    """encode() of as much as fits: the description with what was left out, and the frames as base64 text. own: `diameter` (m) and
+    `species` of each particle and the `names` of the species, as far as particles differ in them."""
     every, share = 1, 1
+    own = own or {}
     while True:
         kept = slice(None, None, every)
-        about, packed = encode(times[kept], position[kept, ::share], velocity[kept, ::share], contacts[kept, ::share])
+        own_kept = {name: values if name == "names" else values[::share] for name, values in own.items()}
+        about, packed = encode(times[kept], position[kept, ::share], velocity[kept, ::share], contacts[kept, ::share], own_kept)
         if len(packed) <= budget:
             about |= {"every": every, "share": share, "of_frames": len(times), "of_particles": position.shape[1]}
             return about, base64.b64encode(packed).decode()

@@ -30,7 +30,7 @@ def read_log(run):
 
 def read_frames(run):
     """times (s), position and velocity (frames x particles x 3), contacts (frames x particles), pressure gradients (frames x
-    slices, Pa/m; None without gas); None if the run wrote no frames."""
+    slices, Pa/m; None without gas), radius (m) and species (None without) of each particle; None if the run wrote no frames."""
     if not (run / "frames.pvd").exists():
         return None
     listed = frame_list(run / "frames.pvd")
@@ -44,21 +44,23 @@ def read_frames(run):
             if name in frame:
                 frames[name].append(np.array(frame[name]))
     frames = {name: np.array(values) if values else None for name, values in frames.items()}
-    return frames | {"radius": first["radius"][0]}
+    return frames | {name: np.array(first[name]) if name in first else None for name in ("radius", "species")}
 
 
-def slices_of(pipe, diameter, frames):
-    """As many as the gas has, otherwise as many of a particle's diameter as fit; no more than a map shows."""
+def slices_of(pipe, frames):
+    """As many as the gas has, otherwise as many of the largest particle's diameter as fit; no more than a map shows."""
     gradients = frames["pressure_gradient"]
-    return min(MOST_SLICES, gradients.shape[1] if gradients is not None else max(1, round(pipe["length"] / diameter)))
+    fitting = max(1, round(pipe["length"] / (2 * float(frames["radius"].max()))))
+    return min(MOST_SLICES, gradients.shape[1] if gradients is not None else fitting)
 
 
-def solids_fraction(pipe, diameter, frames, slices):
-    """frames x slices: centres in a slice times the volume of a particle, over that of the slice."""
+def solids_fraction(pipe, frames, slices):
+    """frames x slices: volume of the particles whose centres are in a slice, over that of the slice."""
     volume = np.pi / 4 * pipe["diameter"] ** 2 * pipe["length"] / slices
     edges = np.linspace(0, pipe["length"], slices + 1)
-    counts = [np.histogram(np.clip(z, 0, pipe["length"]), edges)[0] for z in frames["position"][:, :, 2]]
-    return np.array(counts) * (np.pi / 6 * diameter**3) / volume
+    solids = 4 / 3 * np.pi * frames["radius"] ** 3
+    found = [np.histogram(np.clip(z, 0, pipe["length"]), edges, weights=solids)[0] for z in frames["position"][:, :, 2]]
+    return np.array(found) / volume
 
 
 def gradient_by_slices(frames, slices):

@@ -45,10 +45,20 @@ def map_data(ident, name, title, unit, times, values, length, high=None):
     return {"above": unit_above, "id": ident, "name": name, "title": title, "unit": unit, "times": times, "values": rounded, "low": low, "high": top, "length": length}
 
 
-def maps(pipe, diameter, frames):
-    slices = run_folder.slices_of(pipe, diameter, frames)
+def own_values(frames, summary):
+    """What particles differ in, for the player: nothing where all are equal."""
+    if frames["radius"].min() == frames["radius"].max() and frames["species"] is None:
+        return {}
+    own = {"diameter": 2 * frames["radius"]}
+    if frames["species"] is not None:
+        own |= {"species": frames["species"], "names": [species["name"] for species in summary["species"]]}
+    return own
+
+
+def maps(pipe, frames):
+    slices = run_folder.slices_of(pipe, frames)
     times = [round(float(time), 9) for time in frames["times"]]
-    solids = run_folder.solids_fraction(pipe, diameter, frames, slices)
+    solids = run_folder.solids_fraction(pipe, frames, slices)
     found = [map_data("map-solids", "solids fraction", "Solids fraction", "", times, solids, pipe["length"])]
     if frames["pressure_gradient"] is not None:
         gradient = run_folder.gradient_by_slices(frames, slices)
@@ -83,13 +93,14 @@ def build(arguments):
     frames = run_folder.read_frames(run)
     pipe = {"diameter": case["pipe"]["diameter"], "length": case["pipe"]["length"], "periodic": case["pipe"]["ends"] == "periodic"}
     data = {
-        "end": log["time [s]"][-1], "radius": case["particles"]["diameter"] / 2, "pipe": pipe, "directions": directions(case),
+        "end": log["time [s]"][-1], "radius": float(frames["radius"].max()) if frames else None, "pipe": pipe, "directions": directions(case),
         "log": {"time": "time [s]", "columns": log}, "charts": page_content.charts(log), "maps": [], "frames": None,
     }  # fmt: skip
     packed, player = "", "<h2>The particles</h2><p>The run wrote no frames: set frame_interval in [output] of the case.</p>"
     if frames:
-        data["frames"], packed = player_data.pack(frames["times"], frames["position"], frames["velocity"], frames["contacts"], arguments.budget)
-        data["maps"] = maps(pipe, case["particles"]["diameter"], frames)
+        own = own_values(frames, summary)
+        data["frames"], packed = player_data.pack(frames["times"], frames["position"], frames["velocity"], frames["contacts"], arguments.budget, own)
+        data["maps"] = maps(pipe, frames)
         player = page_parts.player(data, data["frames"])
     stale = summary["case_hash"] not in version.get("case", summary["case_hash"])
     about = f"Case {summary['case']}, {summary['integrator']} at {summary['time_step']:g} s"

@@ -14,7 +14,7 @@ from pathlib import Path
 tools = Path(__file__).parent.parent
 sys.path[:0] = [str(tools / name) for name in ("report", "bench_report", "peers", "lammps")]
 from bench_report import read
-from case_values import law_of, read_header
+from case_values import read_header
 from cost_model import OneCore, ranks_from
 from ending import finish
 from export_lammps import write_all
@@ -48,7 +48,7 @@ def lammps_rates(header, state_file, folder, lmp, mpirun, runs):
     for repeat in REPEATS:
         particles = len(state.positions) * repeat
         place = folder / f"x{repeat}"
-        write_all(place, files(case, law_of(case), state, f"the state {state_file}", repeat))
+        write_all(place, files(case, state, f"the state {state_file}", repeat))
         for number_of_run in range(runs):
             for ranks in RANKS:
                 print(f"bench-scaling: LAMMPS, {particles} particles, {ranks} ranks, run {number_of_run + 1} of {runs}", flush=True)

@@ -1,5 +1,5 @@
 // The frames of the run, out of their compressed form (player_data.py describes it): positions and three values of every
-// particle at every frame, as typed arrays of frames x particles.
+// particle at every frame, as typed arrays of frames x particles; and what each particle keeps, where particles differ.
 
 async function inflate(base64) {
   const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -17,27 +17,43 @@ export async function decodeFrames(about, base64) {
   const bytes = await inflate(base64);
   const count = about.times.length * about.particles;
   let at = 0;
-  const positions = ['x', 'y', 'z'].map((axis) => {
-    const numbers = new Uint16Array(count);
-    for (let k = 0; k < count; ++k) numbers[k] = bytes[at + k] | (bytes[at + count + k] << 8);
-    at += 2 * count;
-    return {...about.scale[axis], numbers: summed(numbers, about.particles)};
-  });
+  const from16 = (size) => {  // a plane of low and one of high bytes
+    const numbers = new Uint16Array(size);
+    for (let k = 0; k < size; ++k) numbers[k] = bytes[at + k] | (bytes[at + size + k] << 8);
+    at += 2 * size;
+    return numbers;
+  };
+  const positions = ['x', 'y', 'z'].map((axis) => ({...about.scale[axis], numbers: summed(from16(count), about.particles)}));
   const values = {};
   for (const name of ['axial', 'speed', 'contacts']) {
     values[name] = {...about.scale[name], numbers: summed(bytes.slice(at, at + count), about.particles)};
     at += count;
   }
-  return new Frames(about, positions, values);
+  const own = {};
+  if (about.own?.diameter) own.diameter = {...about.own.diameter, numbers: from16(about.particles)};
+  if (about.own?.species) own.species = {...about.own.species, numbers: bytes.slice(at, at + about.particles)};
+  return new Frames(about, positions, values, own);
 }
 
 class Frames {
-  constructor(about, positions, values) {
+  constructor(about, positions, values, own) {
     this.times = about.times;
     this.particles = about.particles;
     this.share = about.share;
     this.positions = positions;
     this.values = values;
+    this.own = own;
+  }
+
+  // Radii of all particles (m); `radius` is that of each where they are equal.
+  radii(radius) {
+    const {low, step, numbers} = this.own.diameter ?? {};
+    return Float32Array.from({length: this.particles}, (_, i) => (numbers ? (low + step * numbers[i]) / 2 : radius));
+  }
+
+  // Of a value: its lowest and highest, and the names of species.
+  rangeOf(name) {
+    return this.own[name] ?? this.values[name];
   }
 
   position(frame, particle) {
@@ -79,8 +95,8 @@ class Frames {
 
   // A value of each particle as a share of its range, 0 to 1.
   sharesAt(frame, name, into) {
-    const {low, step, high, numbers} = this.values[name];
-    const range = high - low || 1;
-    for (let i = 0; i < this.particles; ++i) into[i] = (step * numbers[frame * this.particles + i]) / range;
+    const {low, step, high, numbers} = this.rangeOf(name);
+    const range = high - low || 1, first = name in this.own ? 0 : frame * this.particles;
+    for (let i = 0; i < this.particles; ++i) into[i] = (step * numbers[first + i]) / range;
   }
 }

@@ -11,6 +11,8 @@ const scales = {
   speed: {name: 'speed', unit: 'm/s'},
   contacts: {name: 'contacts', unit: ''},
   id: {name: 'number in input order', unit: ''},
+  species: {name: 'species', unit: ''},
+  diameter: {name: 'diameter', unit: 'm'},
 };
 
 export class Player {
@@ -19,7 +21,7 @@ export class Player {
     this.clock = clock;
     this.period = run.pipe.periodic ? run.pipe.length : 0;
     this.canvas = byId('stage');
-    this.scene = new Scene(this.canvas, {particles: frames.particles, radius: run.radius, pipe: run.pipe});
+    this.scene = new Scene(this.canvas, {radii: frames.radii(run.radius), pipe: run.pipe});
     this.playing = false;
     this.drawn = 0;
     byId('scale-bar').style.background = gradient();
@@ -105,10 +107,11 @@ export class Player {
   // Another quantity to colour by: the scale below says what its ends mean.
   choose() {
     const name = byId('colour').value;
-    const range = name === 'id' ? {low: 0, high: (this.frames.particles - 1) * this.frames.share} : this.frames.values[name];
-    byId('scale-low').textContent = short(range.low);
-    byId('scale-high').textContent = `${short(range.high)} ${scales[name].unit}`;
-    byId('scale-name').textContent = scales[name].name;
+    const range = name === 'id' ? {low: 0, high: (this.frames.particles - 1) * this.frames.share} : this.frames.rangeOf(name);
+    const {names} = range;
+    byId('scale-low').textContent = names ? names[0] : short(range.low);
+    byId('scale-high').textContent = names ? names.at(-1) : `${short(range.high)} ${scales[name].unit}`;
+    byId('scale-name').textContent = names?.length > 2 ? `species ${names.join(', ')}:` : scales[name].name;
     this.show(this.clock.time);
   }
 

@@ -1,6 +1,6 @@
 // The particles and the pipe in three dimensions, by three.js: one sphere drawn as many times as there are particles.
 //
-// All spheres are equal, so an instance is its centre (m) and a share of the colour scale. It is drawn as a square that faces
+// An instance is its centre and radius (m) and a share of the colour scale. It is drawn as a square that faces
 // the eye; for each of its pixels a shader finds where the line of sight meets the sphere, and with it depth and light: round
 // at any size, and two triangles instead of hundreds. The camera looks from -x: flow from left to right, y up, as the paper
 // draws.
@@ -11,12 +11,12 @@ import {colourTable, pageColour} from './colours.js';
 
 const vertexShader = `
   attribute vec3 centre;
-  attribute float share;
-  uniform float radius;
+  attribute float share, size;
   uniform bool cut;
   varying vec3 middle, seen;
-  varying float tint;
+  varying float tint, radius;
   void main() {
+    radius = size;
     middle = (modelViewMatrix * vec4(centre, 1.0)).xyz;
     tint = share;
     vec3 ahead = normalize(middle);
@@ -29,10 +29,9 @@ const vertexShader = `
   }`;
 const fragmentShader = `
   uniform sampler2D colours;
-  uniform float radius;
   uniform mat4 projectionMatrix;
   varying vec3 middle, seen;
-  varying float tint;
+  varying float tint, radius;
   void main() {
     vec3 sight = normalize(seen);
     float along = dot(sight, middle);
@@ -55,20 +54,23 @@ function colourTexture() {
 }
 
 export class Scene {
-  constructor(canvas, {particles, radius, pipe}) {
+  constructor(canvas, {radii, pipe}) {
     this.renderer = new three.WebGLRenderer({canvas, antialias: true});
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.scene = new three.Scene();
     this.camera = new three.PerspectiveCamera(20, 2, 0.01, 100);
     this.pipe = pipe;
+    this.radii = radii;
+    const particles = radii.length;
 
     const geometry = new three.InstancedBufferGeometry().copy(new three.PlaneGeometry(2, 2));
     this.centres = new Float32Array(3 * particles);
     this.shares = new Float32Array(particles);
     geometry.setAttribute('centre', new three.InstancedBufferAttribute(this.centres, 3).setUsage(three.DynamicDrawUsage));
     geometry.setAttribute('share', new three.InstancedBufferAttribute(this.shares, 1).setUsage(three.DynamicDrawUsage));
+    geometry.setAttribute('size', new three.InstancedBufferAttribute(radii, 1));
     geometry.instanceCount = particles;
-    this.uniforms = {radius: {value: radius}, cut: {value: false}, colours: {value: colourTexture()}};
+    this.uniforms = {cut: {value: false}, colours: {value: colourTexture()}};
     const spheres = new three.Mesh(geometry, new three.ShaderMaterial({uniforms: this.uniforms, vertexShader, fragmentShader}));
     spheres.frustumCulled = false;
     this.geometry = geometry;
