@@ -93,8 +93,8 @@ TEST_CASE("program: a start state that is damaged or does not fit is refused wit
   refused(bytes.substr(0, 5000), "cut short");
   refused("", "no state file");
   changed = bytes;
-  changed[12] = 3;
-  refused(with_checksum(changed), "version 3");
+  changed[12] = 5;
+  refused(with_checksum(changed), "version 5");
   changed = bytes;
   std::reverse(changed.begin() + 8, changed.begin() + 12);
   refused(with_checksum(changed), "byte order");
