@@ -26,6 +26,7 @@ program, compiler = Path("strips"), ["g++"]  # main() sets them
 
 # What must be gone from a strip on, as parts of the names of functions.
 GONE = {
+    "one_size": ("search_by_sizes",),
     "without_gas": ("find_floaters", "update_slices", "solve_slices", "drag_on_floater"),
     "without_friction": ("sliding_contact_rows",),
     "without_wall": ("PipeSurface", "WallSide", "wall_contacts", "is_near_pipe"),

@@ -10,7 +10,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
 from marked_part import MarkedPart
 from measuring import Calls, instructions_per_particle_step, output, size
 
-STRIPS = ["everything", "without_gas", "without_friction", "without_wall", "without_ends", "without_ledger", "pairs_only"]
+STRIPS = ["everything", "one_size", "without_rolling", "without_gas", "without_friction", "without_wall", "without_ends", "without_ledger", "pairs_only"]
 
 
 def measured(program, case, *arguments):
@@ -33,6 +33,8 @@ def parts_of(header):
         name
         for name, present in [
             ("gas", is_set("has_gas = true")),
+            ("several sizes", is_set("SizeRun sizes[]")),
+            ("rolling resistance", is_set("rolling_friction")),
             ("friction", any(value != "0x0p+0" for value in re.findall(r" (?:wall_)?friction = ([^;]+);", header))),
             ("wall", is_set("has_wall = true")),
             ("closed ends" if is_set("Ends::closed") else "periodic ends", True),

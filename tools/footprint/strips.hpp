@@ -9,14 +9,24 @@
 
 namespace fixdem::footprint {
 
-struct everything : cases::plug_u24 {
+struct without_rolling : cases::plug_u24 {
   static constexpr int particle_count = 240;
   static constexpr double spacing = 0.99999 * diameter;
   static constexpr double pipe_diameter = 2.4141 * diameter, pipe_length = 60 * spacing;
   static constexpr int slice_count = 60;
   static constexpr auto integrator = Integrator::leapfrog;
 };
-struct without_gas : everything {
+struct one_size : without_rolling {
+  static constexpr double wall_friction = 0.2, rolling_friction = 0.1;
+};
+/// Two species, which differ in density alone: their rod is the same.
+struct everything : one_size {
+  static constexpr double largest_diameter = diameter, smallest_diameter = diameter, reference_density = density;
+  static constexpr double mean_volume = Derived<one_size>::volume;
+  static constexpr int species_count = 2;
+  static constexpr SizeRun sizes[] = {{120, diameter, density, 0}, {120, diameter, 0.9 * density, 1}};
+};
+struct without_gas : without_rolling {
   static constexpr bool has_gas = false;
 };
 struct without_friction : without_gas {
@@ -38,6 +48,8 @@ struct pairs_only : without_ledger {
 template <class Visit>
 void for_each_strip(Visit visit) {
   visit.template operator()<everything>("everything");
+  visit.template operator()<one_size>("one size");
+  visit.template operator()<without_rolling>("no rolling resistance, walls like particles");
   visit.template operator()<without_gas>("no gas");
   visit.template operator()<without_friction>("no friction, so no rotation");
   visit.template operator()<without_wall>("no wall");
@@ -46,9 +58,16 @@ void for_each_strip(Visit visit) {
   visit.template operator()<pairs_only>("no prediction (Euler): pairs alone");
 }
 
+// One size: no radii while particles are sorted. No rolling resistance: no spring of it, no torques on partners.
+static_assert(sizeof(SortScratch<everything>) - sizeof(SortScratch<one_size>) >= 8 * everything::particle_count);
+static_assert(Particles<everything>::motion_width == 8 && sizeof(Particles<everything>) == sizeof(Particles<one_size>));
+static_assert(ContactLaw<one_size, false>::history_size - ContactLaw<without_rolling, false>::history_size == 3);
+static_assert(!__is_empty(decltype(Contacts<one_size>::torques)) &&
+              __is_empty(decltype(Contacts<without_rolling>::torques)));
 // No gas: no slices, and no force of the gas for each particle.
-static_assert(sizeof(GasSlices<everything>) > 1000 && __is_empty(GasSlices<without_gas>));
-static_assert(sizeof(Particles<everything>) - sizeof(Particles<without_gas>) == everything::particle_count * 4 * 8);
+static_assert(sizeof(GasSlices<without_rolling>) > 1000 && __is_empty(GasSlices<without_gas>));
+static_assert(sizeof(Particles<without_rolling>) - sizeof(Particles<without_gas>) ==
+              everything::particle_count * 4 * 8);
 // No friction: no angular velocity, no history, and force rows half as wide.
 static_assert(Particles<without_gas>::motion_width == 8 && Particles<without_friction>::motion_width == 4);
 static_assert(Contacts<without_gas>::row_width == 8 && Contacts<without_friction>::row_width == 4);
