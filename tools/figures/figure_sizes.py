@@ -4,13 +4,15 @@ The share of a species at a height is the exact volume of its spheres between tw
 the highest large sphere; fine ones may still bounce above it.
 """
 
+import json
 from math import pi
 
-from drawing import Data, gnuplot
+from drawing import Data, gnuplot, side_views
 from frames import frames_at
 
 PLUGS = {"plug_u24": "equal, 10 mm", "plug_sizes": "10 mm +- 20 %", "plug_two_sizes": "10 and 7 mm"}
 SLICE = 0.005  # m
+SMALL = 0.0042  # m: radius, between the two species of plug_two_sizes
 LOWEST = 0.020  # m: the layer on the floor
 
 
@@ -63,11 +65,32 @@ def packing(run, case, out):
     )  # fmt: skip
 
 
-def plugs(summaries):
-    """`summaries`: name -> summary of one run each. Returns title and text."""
-    keys = (("front_velocity", "front, m/s"), ("particle_velocity", "particles in the plug, m/s"), ("length", "length, m"), ("layer_area_ratio", "layer area ratio"))
-    lines = ["| particles | " + " | ".join(words for _, words in keys) + " |", "|---" * (len(keys) + 1) + "|"]
+def sauter(case, summary):
+    """Sauter diameter, mm."""
+    return 1000 * (summary["sizes"]["sauter_diameter"] if "sizes" in summary else case["particles"]["diameter"])
+
+
+def plugs(runs, cases, out):
+    """`runs`: name -> folder of one run each, `cases`: name -> case. Returns title and text."""
+    summaries = {name: json.loads((run / "summary.json").read_text()) for name, run in runs.items()}
+    panels = []
     for name, words in PLUGS.items():
-        plug = summaries[name]["plug"] or {}
-        lines.append(f"| {words} (`{name}`) | " + " | ".join("-" if plug.get(key) is None else f"{plug[key]:.2f}" for key, _ in keys) + " |")
-    return "Plugs of several sizes", "The same volume of particles, the same gas; one run each, means as in the table of the five plugs.\n\n" + "\n".join(lines)
+        time, frame = frames_at(runs[name], (cases[name]["run"]["duration"],))[-1]
+        panels.append((f"{words}, {time:.1f} s", frame, [r < SMALL for r in frame["radius"]]))
+    side_views(panels, cases["plug_u24"]["pipe"], out / "plugs_of_sizes")
+
+    keys = (("front_velocity", "front, m/s"), ("particle_velocity", "particles in the plug, m/s"), ("length", "length, m"), ("layer_area_ratio", "layer area ratio"))
+    lines = ["| particles | Sauter diameter, mm | " + " | ".join(words for _, words in keys) + " |", "|---" * (len(keys) + 2) + "|"]
+    found = {}
+    for name, words in PLUGS.items():
+        plug, found[name] = summaries[name]["plug"] or {}, sauter(cases[name], summaries[name])
+        lines.append(f"| {words} (`{name}`) | {found[name]:.1f} | " + " | ".join("-" if plug.get(key) is None else f"{plug[key]:.2f}" for key, _ in keys) + " |")
+    fronts = {name: (summaries[name]["plug"] or {}).get("front_velocity") for name in PLUGS}
+    moving = [name for name in sorted(PLUGS, key=found.get) if fronts[name] is not None]
+    falls = len(moving) == len(PLUGS) and all(fronts[a] > fronts[b] for a, b in zip(moving, moving[1:], strict=False))
+    return (
+        "Plugs of several sizes",
+        f"The same volume of particles in the same gas; black: particles smaller than {2000 * SMALL:g} mm. One run each, means as in the table of the five plugs. "
+        + ("The smaller the Sauter diameter, the faster the plug: Ergun's resistance grows as it falls." if falls else "The speeds do not follow the Sauter diameters.")
+        + "\n\n" + "\n".join(lines),
+    )  # fmt: skip

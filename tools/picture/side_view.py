@@ -34,8 +34,9 @@ def visible(particles, width, height):
     return reversed(seen)
 
 
-def panel(frame, kinds, pipe, scale):
-    """One frame, in a frame of reference that starts at the pipe's upper left corner. kinds: one name per particle."""
+def panel(frame, kinds, pipe, scale, are_equal):
+    """One frame, in a frame of reference that starts at the pipe's upper left corner. kinds: one name per particle; are_equal: whether all
+    particles of all frames are, so that one circle serves each kind."""
     length, diameter = pipe["length"], pipe["diameter"]
     width, height = length * scale, diameter * scale
     ring = (-length, 0, length) if pipe["ends"] == "periodic" else (0,)
@@ -45,7 +46,7 @@ def panel(frame, kinds, pipe, scale):
             if -radius < image < length + radius:
                 particles.append((x, image * scale, (diameter / 2 - y) * scale, radius * scale, kind))
     shown = visible(particles, width, height)
-    if one_radius(frame) is None:
+    if not are_equal:
         circles = (f'<circle class="{kind}" cx="{c:.1f}" cy="{r:.1f}" r="{size - 0.3:.2f}"/>' for _, c, r, size, kind in shown)
     else:
         circles = (f'<use href="#{kind}" x="{c:.1f}" y="{r:.1f}"/>' for _, c, r, _, kind in shown)
@@ -71,7 +72,8 @@ def document(panels, pipe, styles, scale, foot, columns=1):
     pitch = height + GAP + above
     rows = -(-len(panels) // columns)
     total = left + columns * (width + GAP) - GAP + MARGIN_RIGHT, MARGIN_TOP + rows * pitch - GAP + foot[0]
-    radius = one_radius(panels[0][1])
+    radii = {one_radius(frame) for _, frame, _ in panels}
+    radius = radii.pop() if len(radii) == 1 else None
     circles = colours = ""
     if radius is None:
         colours = "".join(f".{kind}{{fill:{fill}}}" for kind, fill in styles.items())
@@ -87,7 +89,7 @@ def document(panels, pipe, styles, scale, foot, columns=1):
         x, y = left + k % columns * (width + GAP), MARGIN_TOP + k // columns * pitch + above
         place = (x, y - 6, "start") if columns > 1 else (x - 8, y + pitch / 2, "end")
         parts.append(f'<text x="{place[0]:.0f}" y="{place[1]:.0f}" text-anchor="{place[2]}">{label}</text>')
-        parts.append(f'<g transform="translate({x:.1f} {y:.1f})">{panel(frame, kinds, pipe, scale)}</g>')
+        parts.append(f'<g transform="translate({x:.1f} {y:.1f})">{panel(frame, kinds, pipe, scale, radius is not None)}</g>')
     parts.append(foot[1](left, MARGIN_TOP + rows * pitch - GAP + 1))
     return "\n".join(parts) + "</svg>\n"
 
