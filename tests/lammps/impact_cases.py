@@ -34,6 +34,7 @@ LAWS = {
     "impacts_mass": ({}, {"damping_mass": '"particle"'}),
     "impacts_linear": ({}, LINEAR),
     "impacts_critical": ({}, {**LINEAR, "damping": '"critical"'}),
+    "impacts_walls": ({"wall_friction": "0.1", "wall_restitution": "0.6"}, {}),
     "impacts_sizes": ({}, {}),
     # Softer, so that a contact of the small spheres has as many steps as the others.
     "impacts_sizes_linear": ({}, {**LINEAR, "normal_stiffness": "2.0e5", "tangential_stiffness": "1.6e5"}),
