@@ -8,7 +8,7 @@
 // steps solves it with products and square roots alone; the residual is checked. With several sizes (46) V_s is
 // weighted by volume, and d_32 = sum d^3 / sum d^2 of the slice stands for the diameter.
 //
-// Slices are worked off W at a time. Nothing here knows how particles are stored, so that another program can do the
+// Slices are computed W at a time. Nothing here knows how particles are stored, so that another program can do the
 // same with its own (tools/lammps).
 #pragma once
 

@@ -45,7 +45,7 @@ struct unequal : sized<unequal_pairs, free_space<tenths, limit, scheme, step_in_
   static constexpr int slice_count = 70, neighbour_capacity = 130;
 };
 
-/// After an impact: velocities along x and z, spins about y, duration, greatest overlap, share of the energy left, work
+/// After an impact: velocities along x and z, spins about y, duration, maximum overlap, share of the energy left, work
 /// that rolling resistance has taken (J).
 struct Parting {
   double x_i, z_i, w_i, x_j, z_j, w_j, time, overlap, energy, rolling_work;
@@ -111,13 +111,13 @@ std::vector<Parting> partings(Solver& solver, const std::vector<Meeting>& meetin
   return found;
 }
 
-/// What is allowed: m/s, head on and oblique, at the surface for spins; of the contact time; of the greatest overlap;
+/// What is allowed: m/s, head on and oblique, at the surface for spins; of the contact time; of the maximum overlap;
 /// of the energy.
 struct ImpactBounds {
   double head_on, velocity, time, overlap, energy;
 };
 
-/// Contact time (us) and greatest overlap (um) head on, of a kind of impact.
+/// Contact time (us) and maximum overlap (um) head on, of a kind of impact.
 struct HeadOnFigures {
   int kind;
   double time, overlap;

@@ -5,7 +5,7 @@
 // tries is put down anyway, and the overlaps are relaxed away: in sweeps over all pairs nearer than that, both are
 // pushed apart to that distance and kept inside the walls, until none overlap. Spheres of several sizes are inserted
 // the largest first, while there is room for them. Neighbours come from grids of cells (cell_grid.hpp). Only additions,
-// multiplications, divisions and square roots are used, so the result is reproducible to the last bit.
+// multiplications, divisions and square roots are used, so the result is bit-identical everywhere.
 //
 // Centres stay within pipe radius - r of the axis (also where the case has no pipe wall) and between r and length - r
 // with closed ends, r being the sphere's own radius; with periodic ends distances are those of the nearest image. SI
