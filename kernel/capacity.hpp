@@ -13,8 +13,8 @@ namespace fixdem {
 /// gas it answers who floats as well, for which 0.1 d must be left (floaters.hpp).
 template <class Case>
 inline constexpr double outer_margin = Case::has_gas ? 0.3 : 0.25;
-inline constexpr double near_reach =
-    1.1;  ///< centres nearer than this, in (r_i + r_j), make a particle part of the bed
+/// Centres nearer than this, in r_i + r_j, make a particle part of the bed.
+inline constexpr double near_reach = 1.1;
 
 /// Distance within which the outer list holds all pairs with r_i + r_j = `touch`: that plus the margin, and what larger
 /// spheres add to the reach of the bed. `V`: a number or lanes.

@@ -27,7 +27,7 @@ void find_floaters(GasSlices<Case>& gas, const Particles<Case>& p, const OuterLi
     for (int k = 0; k < outer.pairs[range]; k += W) {
       const auto s = separation_of_pairs<Case, W>(p.position[at.partner_base], partners + k, p.position[at.owner_base],
                                                   owners + k, at.shift);
-      const Lanes<W> reach = near_reach * (has_sizes<Case> ? s.reach : splat<Lanes<W>>(largest_diameter<Case>));
+      const Lanes<W> reach = near_reach * reach_of<Case>(s, largest_diameter<Case>);
       // Behind the last pair of a range it is repeated.
       for (unsigned near = bits_below(s.gap_square, reach * reach); near != 0; near &= near - 1) {
         const int pair = k + __builtin_ctz(near);

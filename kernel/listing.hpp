@@ -93,7 +93,7 @@ Status list_pairs(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   for (int c = 0; c < candidates; c += W) {
     const Separation<V> s = separation_of_pairs<Case, W>(p.position[at.partner_base], partners + c,
                                                          p.position[at.owner_base], owners + c, at.shift);
-    const V touch = has_sizes<Case> ? s.reach : splat<V>(largest_diameter<Case>), cut_off = touch + margin;
+    const V touch = reach_of<Case>(s, largest_diameter<Case>), cut_off = touch + margin;
     const unsigned valid = candidates - c < W ? (1u << (candidates - c)) - 1 : ~0u;
     unsigned hits = bits_below(s.gap_square, cut_off * cut_off) & valid;
     touching += __builtin_popcount(bits_below(s.gap_square, touch * touch) & hits);

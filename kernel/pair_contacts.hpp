@@ -41,7 +41,10 @@ struct PairSide {
       constexpr int w = decltype(width)::value;
       const Separation<Lanes<w>> s =
           separation_of_pairs<Case, w>(partner_position, partner + lane, owner_position, owner + lane, shift);
-      return is_mixed<Case> ? Separation<Lanes<w>>{s.separation, reach_square(s) - s.gap_square, s.reach} : s;
+      return is_mixed<Case>
+                 ? Separation<Lanes<w>>{s.separation, reach_square_of<Case>(s, largest_diameter<Case>) - s.gap_square,
+                                        s.reach}
+                 : s;
     };
     if constexpr (is_mixed<Case>)
       return narrowed<W>(part);
@@ -54,7 +57,7 @@ struct PairSide {
     if constexpr (is_mixed<Case>)
       return bits_below(V{}, s.gap_square);
     else
-      return bits_below(s.gap_square, reach_square(s));
+      return bits_below(s.gap_square, reach_square_of<Case>(s, largest_diameter<Case>));
   }
 
   static constexpr bool has_root = true, needs_gap_square = is_mixed<Case>;
@@ -63,7 +66,7 @@ struct PairSide {
   template <class V>
   FIXDEM_INLINE V root(const Separation<V>& s) const {
     if constexpr (is_mixed<Case>)
-      return sqrt(reach_square(s) - s.gap_square);
+      return sqrt(reach_square_of<Case>(s, largest_diameter<Case>) - s.gap_square);
     else
       return sqrt(s.gap_square);
   }
@@ -71,13 +74,13 @@ struct PairSide {
   template <class V>
   FIXDEM_INLINE V resolve(const Separation<V>& s, V distance, Vec3<V>& n) const {
     if constexpr (is_mixed<Case>) {
-      const V sum = distance + reach(s);
+      const V sum = distance + reach_of<Case>(s, largest_diameter<Case>);
       const V inverse = constant<V>(1) / (distance * sum);
       n = scale(inverse * sum, s.separation);
       return s.gap_square * inverse * distance;
     } else {
       n = scale(1.0 / distance, s.separation);
-      return reach(s) - distance;
+      return reach_of<Case>(s, largest_diameter<Case>) - distance;
     }
   }
 
@@ -103,23 +106,6 @@ struct PairSide {
       return narrowed<W>(part).separation;
     else
       return part(std::integral_constant<int, W>{}, 0).separation;
-  }
-
- private:
-  /// Distance at which centres touch, and its square.
-  template <class V>
-  static FIXDEM_INLINE V reach(const Separation<V>& s) {
-    if constexpr (has_sizes<Case>)
-      return s.reach;
-    else
-      return splat<V>(Case::diameter);
-  }
-  template <class V>
-  static FIXDEM_INLINE V reach_square(const Separation<V>& s) {
-    if constexpr (has_sizes<Case>)
-      return s.reach * s.reach;
-    else
-      return splat<V>(Case::diameter * Case::diameter);
   }
 };
 

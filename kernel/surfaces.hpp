@@ -23,6 +23,16 @@ struct Separation {
   V reach{};  ///< with several sizes: the distance at which it touches
 };
 
+/// Distance at which centres touch, or its square: that of the contact, or with one size `of_one` for all.
+template <class Case, class V>
+FIXDEM_INLINE V reach_of(const Separation<V>& s, double of_one) {
+  return has_sizes<Case> ? s.reach : splat<V>(of_one);
+}
+template <class Case, class V>
+FIXDEM_INLINE V reach_square_of(const Separation<V>& s, double of_one) {
+  return has_sizes<Case> ? s.reach * s.reach : splat<V>(of_one * of_one);
+}
+
 /// Of a separation: q^2; mixed: q^2 - (R - r)^2.
 template <class Case>
 struct PipeSurface {
@@ -83,17 +93,11 @@ struct PipeSurface {
   /// Distance from the axis at which centres touch, and its square.
   template <class V>
   static FIXDEM_INLINE V reach(const Separation<V>& s) {
-    if constexpr (has_sizes<Case>)
-      return s.reach;
-    else
-      return splat<V>(one_reach);
+    return reach_of<Case>(s, one_reach);
   }
   template <class V>
   static FIXDEM_INLINE V reach_square(const Separation<V>& s) {
-    if constexpr (has_sizes<Case>)
-      return s.reach * s.reach;
-    else
-      return splat<V>(one_reach * one_reach);
+    return reach_square_of<Case>(s, one_reach);
   }
   static constexpr double one_reach = Derived<Case>::pipe_radius - Derived<Case>::reference_radius;  ///< of one size
 };
