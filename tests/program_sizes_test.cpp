@@ -17,6 +17,7 @@
 #include "tools/run/failure.hpp"
 #include "tools/run/fault_report.hpp"
 #include "tools/run/neighbourhood.hpp"
+#include "tools/run/no_simulation.hpp"
 #include "tools/run/plug_analysis.hpp"
 
 using namespace fixdem;
@@ -196,12 +197,9 @@ namespace {
 
 /// A large sphere at rest, and a small one that comes along z, turns round at an overlap of `depth`, and goes at a
 /// half.
-class Bounce final : public SimulationView {
+class Bounce final : public NoSimulation {
  public:
   static constexpr double speed = 1, touching = 0.0075, depth = 1e-5, start_gap = 2.05e-6, time_step = 1e-7;
-  void place(int, const Particle&) override {}
-  Status start() override { return {}; }
-  void restore_history(int, int, const double (&)[3], const double (&)[3]) override {}
   Status run(long long steps) override { return step_ += steps, Status{}; }
   long long step() const override { return step_; }
   double time() const override { return static_cast<double>(step_) * time_step; }
@@ -217,13 +215,6 @@ class Bounce final : public SimulationView {
     p.angular_velocity[1] = 10;
     return p;
   }
-  int image(int) const override { return 0; }
-  std::vector<Contact> contacts() const override { return {}; }
-  Observation observe() const override { return {}; }
-  Energy energy() const override { return {}; }
-  double pressure_gradient(int) const override { return 0; }
-  double pressure_drop() const override { return 0; }
-  std::vector<CapacityUse> capacities() const override { return {}; }
 
  private:
   long long step_ = 0;

@@ -15,6 +15,7 @@
 #include "tools/run/failure.hpp"
 #include "tools/run/frames_vtp.hpp"
 #include "tools/run/log.hpp"
+#include "tools/run/no_simulation.hpp"
 #include "tools/run/side_view.hpp"
 #include "tools/run/start.hpp"
 #include "tools/run/state_file.hpp"
@@ -38,22 +39,9 @@ Snapshot four_particles() {
   return snapshot;
 }
 
-class NoSimulation final : public SimulationView {
+class CountsPlaced final : public NoSimulation {
  public:
   void place(int, const Particle&) override { ++placed; }
-  Status start() override { return {}; }
-  void restore_history(int, int, const double (&)[3], const double (&)[3]) override {}
-  Status run(long long) override { return {}; }
-  long long step() const override { return 0; }
-  double time() const override { return 0; }
-  Particle particle(int) const override { return {}; }
-  int image(int) const override { return 0; }
-  std::vector<Contact> contacts() const override { return {}; }
-  Observation observe() const override { return {}; }
-  Energy energy() const override { return {}; }
-  double pressure_gradient(int) const override { return 0; }
-  double pressure_drop() const override { return 0; }
-  std::vector<CapacityUse> capacities() const override { return {}; }
   int placed = 0;
 };
 
@@ -64,7 +52,7 @@ std::string start_from(CaseFacts facts, const StoredState& state) {
   facts.start = StartKind::from, facts.start_from = "fill", facts.pipe_length = 1;
   Options options;
   options.quiet = true, options.start_state = file;
-  NoSimulation view;
+  CountsPlaced view;
   try {
     start_simulation(view, facts, options);
   } catch (const Failure& failure) {
@@ -212,7 +200,7 @@ TEST_CASE("log: with gas, how fast each species goes; overlaps in radii of the s
 }
 
 TEST_CASE("checkpoint: of the same particles only") {
-  NoSimulation view;
+  CountsPlaced view;
   const Identity here = identity(case_facts<TwoSpecies<5000>>(), view);
   CHECK(differences(identity(case_facts<TwoSpecies<5000>>(), view), here).empty());
   for (const Identity& there :

@@ -14,6 +14,7 @@
 #include "loop_end.hpp"
 #include "program_run.hpp"
 #include "tools/run/failure.hpp"
+#include "tools/run/no_simulation.hpp"
 #include "tools/run/result_folder.hpp"
 
 using namespace fixdem;
@@ -164,25 +165,15 @@ TEST_CASE("stability watch: warns once, stops beyond the limit, and takes no num
 namespace {
 
 /// Nothing moves, and from the given step on two spheres touch.
-class Standing : public SimulationView {
+class Standing : public NoSimulation {
  public:
   explicit Standing(long long touching_from) : touching_from_(touching_from) {}
-  void place(int, const Particle&) override {}
-  Status start() override { return {}; }
-  void restore_history(int, int, const double (&)[3], const double (&)[3]) override {}
   Status run(long long steps) override { return step_ += steps, Status{}; }
   long long step() const override { return step_; }
   double time() const override { return static_cast<double>(step_) * 1e-4; }
-  Particle particle(int) const override { return {}; }
-  int image(int) const override { return 0; }
   std::vector<Contact> contacts() const override {
     return step_ < touching_from_ ? std::vector<Contact>{} : std::vector<Contact>{contact(5, 6, overlap)};
   }
-  Observation observe() const override { return {}; }
-  Energy energy() const override { return {}; }
-  double pressure_gradient(int) const override { return 0; }
-  double pressure_drop() const override { return 0; }
-  std::vector<CapacityUse> capacities() const override { return {}; }
 
  private:
   long long touching_from_, step_ = 0;

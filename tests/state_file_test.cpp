@@ -11,6 +11,7 @@
 
 #include "program_run.hpp"
 #include "tools/run/failure.hpp"
+#include "tools/run/no_simulation.hpp"
 #include "tools/run/options.hpp"
 #include "tools/run/start.hpp"
 #include "with_checksum.hpp"
@@ -136,24 +137,11 @@ TEST_CASE("state hash: does not depend on which particle of a pair the kernel ca
 namespace {
 
 /// Takes down the histories that a start gives back.
-class Recorder final : public SimulationView {
+class Recorder final : public NoSimulation {
  public:
-  void place(int, const Particle&) override {}
-  Status start() override { return {}; }
   void restore_history(int owner, int partner, const double (&h)[3], const double (&rolling)[3]) override {
     histories.push_back({owner, partner, {h[0], h[1], h[2]}, {rolling[0], rolling[1], rolling[2]}});
   }
-  Status run(long long) override { return {}; }
-  long long step() const override { return 0; }
-  double time() const override { return 0; }
-  Particle particle(int) const override { return {}; }
-  int image(int) const override { return 0; }
-  std::vector<Contact> contacts() const override { return {}; }
-  Observation observe() const override { return {}; }
-  Energy energy() const override { return {}; }
-  double pressure_gradient(int) const override { return 0; }
-  double pressure_drop() const override { return 0; }
-  std::vector<CapacityUse> capacities() const override { return {}; }
 
   std::vector<StoredHistory> histories;
 };

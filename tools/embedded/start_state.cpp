@@ -11,6 +11,7 @@
 
 #include "tools/run/case_facts.hpp"
 #include "tools/run/failure.hpp"
+#include "tools/run/no_simulation.hpp"
 #include "tools/run/start.hpp"
 
 namespace {
@@ -20,7 +21,7 @@ using namespace fixdem;
 std::string triple(const double (&v)[3]) { return fmt::format("{{{:a}, {:a}, {:a}}}", v[0], v[1], v[2]); }
 
 /// Takes down what is placed and restored; nothing is ever run.
-class Recorder final : public program::SimulationView {
+class Recorder final : public program::NoSimulation {
  public:
   void place(int, const Particle& p) override {
     particles +=
@@ -30,18 +31,6 @@ class Recorder final : public program::SimulationView {
     histories += fmt::format("    {{{}, {}, {}, {}}},\n", owner, partner, triple(history), triple(rolling));
     ++history_count;
   }
-  Status start() override { return {}; }
-  Status run(long long) override { return {}; }
-  long long step() const override { return 0; }
-  double time() const override { return 0; }
-  Particle particle(int) const override { return {}; }
-  int image(int) const override { return 0; }
-  std::vector<Contact> contacts() const override { return {}; }
-  Observation observe() const override { return {}; }
-  Energy energy() const override { return {}; }
-  double pressure_gradient(int) const override { return 0; }
-  double pressure_drop() const override { return 0; }
-  std::vector<program::CapacityUse> capacities() const override { return {}; }
 
   std::string particles, histories;
   int history_count = 0;

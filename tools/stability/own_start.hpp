@@ -1,13 +1,14 @@
 // The start of a case as plain particles: what its program would place, without a kernel to place them in.
 #pragma once
 
+#include "tools/run/no_simulation.hpp"
 #include "tools/run/start.hpp"
 #include "trials.hpp"
 
 namespace fixdem::stability {
 
 /// Takes down what it is given; it never moves.
-class StartRecorder final : public program::SimulationView {
+class StartRecorder final : public program::NoSimulation {
  public:
   Scene scene;
 
@@ -15,21 +16,10 @@ class StartRecorder final : public program::SimulationView {
     scene.particles.resize(std::max(scene.particles.size(), static_cast<std::size_t>(id) + 1));
     scene.particles[static_cast<std::size_t>(id)] = particle;
   }
-  Status start() override { return {}; }
   void restore_history(int owner, int partner, const double (&h)[3], const double (&rolling)[3]) override {
     scene.histories.push_back({owner, partner, {h[0], h[1], h[2]}, {rolling[0], rolling[1], rolling[2]}});
   }
-  Status run(long long) override { return {}; }
-  long long step() const override { return 0; }
-  double time() const override { return 0; }
   Particle particle(int id) const override { return scene.particles[static_cast<std::size_t>(id)]; }
-  int image(int) const override { return 0; }
-  std::vector<Contact> contacts() const override { return {}; }
-  Observation observe() const override { return {}; }
-  Energy energy() const override { return {}; }
-  double pressure_gradient(int) const override { return 0; }
-  double pressure_drop() const override { return 0; }
-  std::vector<program::CapacityUse> capacities() const override { return {}; }
 };
 
 /// The start of the case; a case that starts from another one finds its final state in out/.
