@@ -41,7 +41,7 @@ struct Cells {
   }();
   static constexpr int across = static_cast<int>(whole(width / side));
   static constexpr int along = static_cast<int>(whole(Case::pipe_length / side));
-  static constexpr int count = across * across * along;
+  static constexpr int in_slab = across * across, count = in_slab * along;
   static constexpr double length = Case::pipe_length / along;  ///< of a slab of cells
   /// Cells in each direction in which a sphere must look for those that are not larger than itself.
   static constexpr int reach_of(double diameter) {
@@ -73,6 +73,9 @@ constexpr double diameter_for_chunks(double mean_volume, double largest) {
 
 /// A chunk beyond this would outgrow the stack (its slots are booked there) and the 32-bit offsets of its force rows.
 inline constexpr int largest_chunk = 1 << 20;
+
+/// Particles from which on the state of a scene exceeds the caches.
+inline constexpr int scene_beyond_caches = 16384;
 
 /// Chunks that a tile of several steps needs (tiles.hpp).
 constexpr int chunks_for_tile(int tile_steps) { return tile_steps == 1 ? 1 : 2 * tile_steps + 4; }
@@ -157,7 +160,7 @@ struct Capacity {
     if constexpr (requires { Case::tile_steps; })
       return Case::tile_steps;
     else
-      return Case::particle_count >= 16384 && chunks >= chunks_for_tile(most) ? most : 1;
+      return Case::particle_count >= scene_beyond_caches && chunks >= chunks_for_tile(most) ? most : 1;
   }();
 };
 

@@ -11,6 +11,7 @@
 
 #include "constant_math.hpp"
 #include "sizes.hpp"
+#include "time_table.hpp"
 
 namespace fixdem {
 
@@ -28,9 +29,9 @@ enum class DampingMass { reduced, particle };
 /// Limit of friction: mu times the whole normal force (eq. 9), or times its elastic part, which makes gross sliding
 /// take exactly Coulomb's impulse mu (1 + e) M v.
 enum class FrictionLimit { total, elastic };
-/// `open`: nothing at the ends, for scenes that never reach them (no wall, no neighbour); only in cases written by
-/// hand.
-enum class Ends { periodic, closed, open };
+/// `open`: a line, with a wall for particles at z = 0, where it is fed, and an outlet at z = pipe_length. `none`:
+/// nothing at the ends, for scenes that never reach them (no wall, no neighbour); only in cases written by hand.
+enum class Ends { periodic, closed, open, none };
 /// Semi-implicit Euler; leapfrog; or leapfrog with contact impulses integrated along the step (impulse_law.hpp).
 enum class Integrator { euler, leapfrog, impulse };
 /// `mixed_precision`: state, position differences and gaps in double, contact arithmetic and history in float.
@@ -48,7 +49,38 @@ struct Placed {
   double angular_velocity[3];  ///< rad/s
 };
 
+/// A station along the pipe; for the program only.
+struct Probe {
+  double position, interval;  ///< m, s
+};
+
+/// Whether particles enter and leave (feed.hpp, outlet.hpp). `particle_count` is then the most that are present at
+/// once.
+template <class Case>
+inline constexpr bool is_line = Case::ends == Ends::open;
+
 namespace detail {
+/// Particles at the start.
+template <class Case>
+inline constexpr int start_count = [] {
+  if constexpr (is_line<Case>)
+    return Case::start_count;
+  else
+    return Case::particle_count;
+}();
+
+/// Where gravity leaves a bed: across the axis, `up` is the unit vector against it, along +y where it has no such part.
+/// Steeper than 80 degrees (`is_steep`) there is no bed, and the gas takes the whole section.
+struct BedDirection {
+  double x = 0, y = 1;
+  bool is_steep = false;
+  constexpr explicit BedDirection(const double (&g)[3]) {
+    const double across = square_root(g[0] * g[0] + g[1] * g[1]);
+    if (across > 0 && !(g[0] == 0 && g[1] < 0)) x = -g[0] / across, y = -g[1] / across;
+    is_steep = across < 0.17 * square_root(across * across + g[2] * g[2]);
+  }
+};
+
 /// What all particles have in common. Coefficients of contacts are given for spheres of the reference radius and mass.
 template <class Case, bool has_sizes = fixdem::has_sizes<Case>>
 struct Spheres {
@@ -81,7 +113,7 @@ struct Derived : detail::Spheres<Case> {
   using Spheres::pi;
   static constexpr double pipe_radius = Case::pipe_diameter / 2;
 
-  static constexpr bool has_ends = Case::ends == Ends::closed;
+  static constexpr bool has_ends = Case::ends == Ends::closed || is_line<Case>;
   static constexpr bool has_walls = Case::has_wall || has_ends;
   static constexpr bool is_periodic = Case::ends == Ends::periodic;
   static constexpr bool is_hertz = Case::normal == NormalLaw::hertz;
@@ -160,7 +192,21 @@ struct Derived : detail::Spheres<Case> {
                                          : damping_wall;
 
   static constexpr double slice_length = Case::pipe_length / Case::slice_count;
+
+  static constexpr double up[2] = {detail::BedDirection(Case::gravity).x, detail::BedDirection(Case::gravity).y};
+  /// One particle alone makes no bed anyway.
+  static constexpr bool is_steep = Case::particle_count > 1 && detail::BedDirection(Case::gravity).is_steep;
 };
+
+/// Height of a place over the axis of the pipe, against the part of gravity across it, m: y where gravity is along -y.
+template <class Case>
+double height_of(const double* x) {
+  using D = Derived<Case>;
+  if constexpr (D::up[0] == 0 && D::up[1] == 1)
+    return x[1];
+  else
+    return D::up[0] * x[0] + D::up[1] * x[1];
+}
 
 /// Positions are held half a step ahead of velocities.
 template <class Case>
@@ -190,11 +236,10 @@ using Real = std::conditional_t<is_mixed<Case>, float, double>;
 template <class Case, int W>
 inline constexpr int contact_lanes = is_mixed<Case>&& W > 1 ? 2 * W : W;
 
-/// Whether the gas model holds under this gravity. It takes the height of the bed along y (gas_slices.hpp), so a bed
-/// must lie at the bottom of a horizontal pipe. One particle alone makes no bed while it flies, and none but at the
-/// bottom.
+/// Whether the gas model holds under this gravity: it must say where a bed lies, or that there is none (Derived::up,
+/// is_steep). One particle alone makes no bed.
 constexpr bool gas_takes_gravity(const double* gravity, bool has_bed) {
-  return gravity[0] == 0 && (has_bed ? gravity[1] < 0 && gravity[2] == 0 : gravity[1] <= 0);
+  return !has_bed || gravity[0] != 0 || gravity[1] != 0 || gravity[2] != 0;
 }
 
 }  // namespace fixdem

@@ -263,11 +263,16 @@ FIXDEM_INLINE void for_each_wall(const Contacts<Case>& contacts, F&& f) {
   for_each_wall(const_cast<Contacts<Case>&>(contacts), [&](const auto& walls) FIXDEM_INLINE_LAMBDA { f(walls); });
 }
 
-/// Particles of a chunk; all but the last are full.
+/// Chunks in use, the first ones, and the particles of a chunk; all but the last in use are full.
 template <class Case>
-constexpr int particles_in(int chunk) {
+int chunks_in_use(const Particles<Case>& p) {
+  return (p.rows() + Capacity<Case>::chunk_size - 1) / Capacity<Case>::chunk_size;
+}
+template <class Case>
+int particles_in(const Particles<Case>& p, int chunk) {
   constexpr int size = Capacity<Case>::chunk_size;
-  const int rest = Case::particle_count - chunk * size;
+  const int rest = p.rows() - chunk * size;
+  if (is_line<Case> && rest < 0) return 0;
   return rest < size ? rest : size;
 }
 

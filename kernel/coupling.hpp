@@ -2,7 +2,8 @@
 //
 // Only in a case that says so (`is_coupled`, case.hpp); in all others both are constants, and nothing of this is there.
 // Gravity is that of the frame in which the pipe rests: in a pipe that is moved, less the pipe's acceleration. The gas
-// follows at its next update; with gas, gravity must stay along -y (`gas_takes_gravity`, case.hpp) or vanish.
+// follows at its next update; the bed's height stays measured along the case's own direction (`Derived::up`, case.hpp),
+// so with gas the part of gravity across the axis must keep it or vanish.
 #pragma once
 
 #include "case.hpp"

@@ -14,6 +14,7 @@
 #include "memory.hpp"
 #include "observe.hpp"
 #include "refusals.hpp"
+#include "restored_history.hpp"
 
 namespace fixdem {
 
@@ -24,9 +25,10 @@ class Simulation {
 
  public:
   using case_type = Case;
-  static constexpr int count = Case::particle_count;
+  static constexpr int count = Case::particle_count;  ///< in a line: the most that are present at once
+  static constexpr int start_count = detail::start_count<Case>;
 
-  /// Places particle `id` (0 .. count-1). All are placed before start(); values in SI units.
+  /// Places particle `id` (0 .. start_count-1). All are placed before start(); values in SI units.
   /// The present state stays until then.
   void place(int id, const Particle& particle) {
     s_.before.placed[id] = particle;
@@ -37,7 +39,7 @@ class Simulation {
   /// particles are placed anew before each start.
   Status start() {
     is_placing_ = 1;
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < start_count; ++i)
       if (is_placed_[i] != 1) return s_.status = {Fault::not_placed, i, 0, 0, 1};
     s_.step = s_.histories_given_at = 0;
     s_.status = {};
@@ -46,29 +48,25 @@ class Simulation {
     s_.near_list.most_neighbours = s_.near_list.most_chunk_pairs = s_.near_list.most_wrap_pairs = 0;
     s_.near_list.most_reach = s_.near_list.most_histories = 0;
     s_.near_list.listings = s_.near_list.sorts = 0;
-    for (int i = 0; i < count; ++i) {
+    if constexpr (is_line<Case>) open_line();
+    for (int i = 0; i < start_count; ++i) {
       s_.particles.id[i] = i;
       s_.particles.image[i] = 0;
       const Particle& from = s_.before.placed[i];
       double* x = s_.particles.position[i];
       double* v = s_.particles.motion[i];
-      for (int c = 0; c < Particles<Case>::motion_width; ++c) v[c] = 0;
-      for (int c = 0; c < 4; ++c) x[c] = c < 3 ? from.position[c] : 0;
-      for (int c = 0; c < 3; ++c) v[c] = from.velocity[c];
+      s_.particles.clear_row(i);
+      for (int c = 0; c < 3; ++c) x[c] = from.position[c], v[c] = from.velocity[c];
       if constexpr (D::has_rotation)
         for (int c = 0; c < 3; ++c) v[4 + c] = radius_of<Case>(i) * from.angular_velocity[c];
       if constexpr (holds_positions_ahead<Case>)
         for (int c = 0; c < 3; ++c) x[c] += 0.5 * Case::time_step * v[c];
-      if constexpr (has_sizes<Case>) set_size(s_.particles, i, i);
-      if constexpr (Particles<Case>::predicts)
-        for (int c = 0; c < 4; ++c) s_.particles.last_kick.row[i][c] = 0;
-      if constexpr (Case::has_gas)
-        for (int c = 0; c < 4; ++c) s_.particles.gas_kick.row[i][c] = 0;
+      set_size(s_.particles, i);
     }
     forget_placed();
     clear_contacts();
-    s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.before.kept, s_.scratch, 0);
-    if constexpr (takes_impulses<Case>) mark_contacts_as_found();
+    s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.before.kept, s_.scratch, s_.line, 0);
+    if constexpr (takes_impulses<Case>) detail::mark_contacts_as_found(s_.contacts);
     if (s_.status.ok()) s_.status = deepest();
     if constexpr (is_coupled<Case>) s_.particles.coupling.reset();
     for (int c = 0; c < 3; ++c) start_place_[c] = place_sum(c);
@@ -80,38 +78,8 @@ class Simulation {
   /// the start; otherwise that of the last force before it. `rolling`: likewise that of rolling, zero without it.
   void restore_history(int owner, int partner, const double* history,
                        [[maybe_unused]] const double* rolling = nullptr) {
-    if constexpr (D::has_rotation) {
-      s_.histories_given_at = s_.step;
-      constexpr double unit = Case::tangential == TangentialLaw::displacement ? 1 : Case::time_step / D::reference_mass;
-      const auto set = [&](auto& batches, int range, int k, double sign) {
-        using Law = typename std::remove_reference_t<decltype(batches)>::Law;
-        if constexpr (Law::history_vectors > 0) {
-          const auto numbers = batches.history_of(range, k);
-          for (int c = 0; c < 3; ++c) numbers[c] = static_cast<Real<Case>>(sign * unit * history[c]);
-          if constexpr (Law::has_rolling)  // the same from either side
-            for (int c = 0; c < 3; ++c)
-              numbers[Law::rolling_place + c] = static_cast<Real<Case>>(rolling != nullptr ? unit * rolling[c] : 0);
-          batches.note_history(range, k);
-        }
-      };
-      if (partner >= 0) {
-        const int i = row_of(owner), j = row_of(partner);
-        const int low = i < j ? i : j, high = i < j ? j : i;
-        const auto set_pair = [&](int range, int k, int a, int b) {
-          if (a == low && b == high) set(s_.contacts.pairs, range, k, i < j ? 1 : -1);
-        };
-        for_each_near_pair_in(s_.contacts, low / Capacity<Case>::chunk_size, set_pair);
-        if constexpr (D::is_periodic) for_each_near_pair_in(s_.contacts, Capacity<Case>::chunks, set_pair);
-        return;
-      }
-      const int row = row_of(owner);
-      for_each_wall(s_.contacts, [&](auto& walls) {
-        if ((partner == pipe_wall) != (walls.surface.kept_as == pipe_wall)) return;
-        for_each_near_wall_in<Case>(walls, row / Capacity<Case>::chunk_size, [&](int chunk, int k, int i) {
-          if (i == row) set(walls, chunk, k, 1);
-        });
-      });
-    }
+    if constexpr (D::has_rotation)
+      detail::restore_history(s_, row_of(owner), partner >= 0 ? row_of(partner) : partner, history, rolling);
   }
 
   /// Advances by `steps` time steps, or to the first fault. After a fault it does nothing more.
@@ -127,7 +95,22 @@ class Simulation {
   long long step() const { return s_.step; }
   double time() const { return static_cast<double>(s_.step) * Case::time_step; }
 
-  /// Particle by input number: position and velocity at the same time, z within a periodic pipe.
+  // Who is there: numbers from 0 to count-1. In a line a number is a place in the arrays that is used again by whoever
+  // is fed after a particle has left; the serial number counts in order of entry, from those at the start on.
+  long long present() const {
+    if constexpr (is_line<Case>) return line().present;
+    return count;
+  }
+  bool is_present(int id) const { return find_row(id) >= 0; }
+  long long serial([[maybe_unused]] int id) const {
+    if constexpr (is_line<Case>) return s_.particles.slots.serial[id];
+    return id;
+  }
+  /// Number in the table of sizes (sizes.hpp).
+  int kind(int id) const { return s_.particles.kind(row_of(id)); }
+  LineTotals line() const requires is_line<Case> { return line_totals(s_); }
+
+  /// Particle by number: position and velocity at the same time, z within a periodic pipe.
   Particle particle(int id) const {
     const int i = row_of(id);
     const double *x = s_.particles.position[i], *v = s_.particles.motion[i];
@@ -151,7 +134,7 @@ class Simulation {
   /// Visits every contact with overlap: f(const Contact&).
   template <class F>
   void for_each_contact(F&& f) const {
-    detail::for_each_observed(s_, [&](const detail::Observed<Case>& o) { f(o.contact); });
+    detail::for_each_observed(s_.contacts, s_.particles, [&](const detail::Observed<Case>& o) { f(o.contact); });
   }
 
   /// Maximum overlap of all contacts in all steps so far, m.
@@ -163,6 +146,10 @@ class Simulation {
   Energy energy() const {
     Energy e = energy_without_gravity(s_);
     e.gravity_work = D::reference_mass * work_of_gravity();
+    if constexpr (is_line<Case>) {
+      const Passage left = s_.line.all_left();
+      e.entered = s_.line.entered.kinetic, e.left_with = left.kinetic + left.elastic;
+    }
     return e;
   }
 
@@ -220,9 +207,32 @@ class Simulation {
   }
 
   int row_of(int id) const {
-    if (id_row_[id] < count && s_.particles.id[id_row_[id]] == id) return id_row_[id];
-    for (int i = 0; i < count; ++i) id_row_[s_.particles.id[i]] = i;
+    if (id_row_[id] < s_.particles.rows() && s_.particles.id[id_row_[id]] == id) return id_row_[id];
+    for (int i = 0; i < s_.particles.rows(); ++i) id_row_[s_.particles.id[i]] = i;
     return id_row_[id];
+  }
+  /// -1 where nobody of that number is present.
+  int find_row(int id) const {
+    if constexpr (is_line<Case>) {
+      if (!s_.particles.slots.is_taken[id]) return -1;
+      const int row = row_of(id);
+      return s_.particles.is_present(row) ? row : -1;
+    }
+    return row_of(id);
+  }
+
+  /// An empty line, in which those at the start have their places.
+  void open_line() {
+    auto& slots = s_.particles.slots;
+    slots.rows_in_use = start_count;
+    for (int i = 0; i < count; ++i) {
+      slots.is_taken[i] = i < start_count;
+      slots.serial[i] = i;
+      if constexpr (has_sizes<Case>) slots.kind[i] = i < start_count ? i : 0;
+      if constexpr (Case::has_gas) s_.gas.floats[i] = true;
+    }
+    for (VelocityBox& of_chunk : s_.near_list.velocities) of_chunk = {};
+    s_.line.clear();
   }
 
   /// What has been placed gives way to the histories that are kept there.
@@ -242,23 +252,10 @@ class Simulation {
       for (auto& s : sum) s = 0;
   }
 
-  /// Contacts that exist at the start have not begun in the first step (impulse_law.hpp).
-  void mark_contacts_as_found() {
-    const auto mark = [](auto& batches) {
-      return [&batches](int range, int k, int, int = 0) {
-        constexpr int place = std::remove_reference_t<decltype(batches)>::Law::state_function_place;
-        batches.history_of(range, k)[place] = found_at_start;
-        batches.note_history(range, k);
-      };
-    };
-    for_each_near_pair(s_.contacts, mark(s_.contacts.pairs));
-    for_each_wall(s_.contacts, [&](auto& walls) { for_each_near_wall<Case>(walls, mark(walls)); });
-  }
-
   /// The contact with the maximum overlap, as a fault where it is beyond the limit.
   Status deepest() const {
     Status worst{};
-    detail::for_each_observed(s_, [&](const detail::Observed<Case>& o) {
+    detail::for_each_observed(s_.contacts, s_.particles, [&](const detail::Observed<Case>& o) {
       const double overlap = o.contact.overlap / D::smallest_radius;
       if (overlap > worst.value) worst = {Fault::overlap, o.contact.owner, s_.step, overlap, Case::max_overlap};
     });
@@ -275,12 +272,15 @@ class Simulation {
     return work;
   }
 
-  /// Weighted by mass.
+  /// Weighted by mass. What has left counts where it left, and what has entered as if it had been there before.
   double place_sum(int c) const {
     double sum = 0;
-    for (int i = 0; i < count; ++i)
-      sum += share_of_mass(s_.particles, i) *
-             (s_.particles.position[i][c] + (c == 2 ? s_.particles.image[i] * Case::pipe_length : 0));
+    for (int i = 0; i < s_.particles.rows(); ++i)
+      if (s_.particles.is_present(i))
+        sum += share_of_mass(s_.particles, i) *
+               (s_.particles.position[i][c] + (c == 2 ? s_.particles.image[i] * Case::pipe_length : 0));
+    if constexpr (is_line<Case>)
+      sum += (s_.line.all_left().mass_place[c] - s_.line.entered.mass_place[c]) / D::reference_mass;
     return sum;
   }
 

@@ -1,4 +1,5 @@
 // Which particles float: no other centre within 1.1 (r_i + r_j), and not touching the lower half of the pipe wall.
+// None do in a steep pipe (gas_steep.hpp).
 //
 // The outer list still holds all such pairs (outer_list.hpp), and each is looked at as it lies now. So the
 // answer depends on the present positions alone, never on when the list was made.
@@ -12,12 +13,15 @@ namespace fixdem {
 /// Whether a particle at this place of a section touches the lower half of the pipe wall.
 template <class Case>
 bool is_on_bottom(double x, double y, double radius = Derived<Case>::largest_radius) {
-  return y < 0 && sqrt(x * x + y * y) - (Derived<Case>::pipe_radius - radius) > 0;
+  const double place[] = {x, y};
+  return height_of<Case>(place) < 0 && sqrt(x * x + y * y) - (Derived<Case>::pipe_radius - radius) > 0;
 }
 
 template <class Case, int W>
 void find_floaters(GasSlices<Case>& gas, const Particles<Case>& p, const OuterList<Case>& outer) {
-  for (int i = 0; i < Case::particle_count; ++i) {
+  if constexpr (Derived<Case>::is_steep) return;
+  for (int i = 0; i < p.rows(); ++i) {
+    if (!p.is_present(i)) continue;
     const double* x = p.position[i];
     gas.floats[p.id[i]] = !is_on_bottom<Case>(x[0], x[1], radius_at<Case>(x));
   }

@@ -99,7 +99,8 @@ struct RowsForLater {
            std::uint32_t partner) const {
     for (int c = 0; c < width; ++c) last_row[c - *count * width] = values[c];
     if constexpr (has_partner_torques<Case>)
-      for (int c = 0; c < 4; ++c) last_torque[c - *count * 4] = torque[c];
+      if (torque != nullptr)  // of a pair
+        for (int c = 0; c < 4; ++c) last_torque[c - *count * 4] = torque[c];
     last_owner[-*count] = owner, last_partner[-*count] = partner;
     ++*count;
   }

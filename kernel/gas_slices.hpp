@@ -6,7 +6,7 @@
 // (with several sizes, of the mass of reference) and held until the next update.
 #pragma once
 
-#include "gas_flow.hpp"
+#include "gas_pressure.hpp"
 #include "near_list.hpp"
 #include "status.hpp"
 
@@ -33,11 +33,11 @@ void clear_slices(SliceArrays<Case>& gas) {
       gas.sums.solids[s] = gas.sums.volume_flow[s] = gas.sums.square_diameters[s] = 0;
 }
 
-/// Counts a bed particle in slice s; y and axial velocity are its own.
+/// Counts a bed particle in slice s; height over the axis and axial velocity are its own.
 template <class Case>
-void count_in_slice(SliceArrays<Case>& gas, int s, double y, double axial_velocity,
+void count_in_slice(SliceArrays<Case>& gas, int s, double height, double axial_velocity,
                     double diameter = largest_diameter<Case>) {
-  const double top = y + Derived<Case>::pipe_radius + diameter / 2;
+  const double top = height + Derived<Case>::pipe_radius + diameter / 2;
   gas.particles[s] += 1;
   gas.axial_velocity_sum[s] += axial_velocity;
   gas.height[s] = max(top, gas.height[s]);
@@ -72,18 +72,19 @@ double share_of_drag([[maybe_unused]] const SliceArrays<Case>& gas, [[maybe_unus
   }
 }
 
-/// Drag on a floating sphere, N: C_d = 24/Re (1 + 0.15 Re^0.687) up to Re = 1000, then 0.44.
+/// Drag on a floating sphere, N: C_d = 24/Re (1 + 0.15 Re^0.687) up to Re = 1000, then 0.44. `gas`: its density and
+/// viscosity.
 template <class Case>
 void drag_on_floater(double gas_velocity, const double* velocity, double* force,
-                     double diameter = largest_diameter<Case>) {
+                     double diameter = largest_diameter<Case>, [[maybe_unused]] const Stream<Case, double>& gas = {}) {
   using D = Derived<Case>;
   const double u[3] = {-velocity[0], -velocity[1], gas_velocity - velocity[2]};
   const double speed = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-  const double reynolds = speed * diameter / Case::gas_viscosity;
-  const double area = D::pi * diameter * diameter / 8 * Case::gas_density;
+  const double reynolds = speed * diameter / gas.viscosity;
+  const double area = D::pi * diameter * diameter / 8 * gas.density;
   // C_d |u| without 0/0 at rest: 24 nu/d (1 + ...).
   const double drag =
-      reynolds < 1000 ? 24 * Case::gas_viscosity / diameter * (1 + 0.15 * power<687, 1000>(reynolds)) : 0.44 * speed;
+      reynolds < 1000 ? 24 * gas.viscosity / diameter * (1 + 0.15 * power<687, 1000>(reynolds)) : 0.44 * speed;
   for (int k = 0; k < 3; ++k) force[k] = area * drag * u[k];
 }
 
@@ -100,30 +101,53 @@ int slice_at(double z) {
   return slice;
 }
 
-/// New slice quantities and forces from the present positions and velocities.
+/// Bulk velocity at a step: set by another program, by a table, or constant.
+template <class Case>
+double bulk_velocity([[maybe_unused]] const Particles<Case>& p, [[maybe_unused]] long long step) {
+  if constexpr (is_coupled<Case>)
+    return p.coupling.gas_velocity;
+  else if constexpr (has_velocity_in_time<Case>)
+    return value_at(Case::gas_velocity_in_time, static_cast<double>(step) * Case::time_step);
+  else
+    return Case::gas_velocity;
+}
+
+/// Whether the particle of a row floats.
+template <class Case>
+bool is_floating(const GasSlices<Case>& gas, const Particles<Case>& p, int row) {
+  return !Derived<Case>::is_steep && gas.floats[p.id[row]];
+}
+
+/// New slice quantities and forces from the present positions and velocities, before the step of this number.
 template <class Case, int W>
-Status update_slices(GasSlices<Case>& gas, Particles<Case>& p) {
+Status update_slices(GasSlices<Case>& gas, Particles<Case>& p, long long step) {
   detail::clear_slices(gas);
-  for (int i = 0; i < Case::particle_count; ++i) {
+  for (int i = 0; i < p.rows(); ++i) {
+    if (!p.is_present(i)) continue;
     const int s = gas.slice_of[i] = slice_at<Case>(p.position[i][2]);
-    if (gas.floats[p.id[i]]) continue;
-    detail::count_in_slice(gas, s, p.position[i][1], p.motion[i][2], 2 * radius_at<Case>(p.position[i]));
+    if (is_floating(gas, p, i)) continue;
+    detail::count_in_slice(gas, s, height_of<Case>(p.position[i]), p.motion[i][2], 2 * radius_at<Case>(p.position[i]));
   }
-  double set_velocity = 0;
-  if constexpr (is_coupled<Case>) set_velocity = p.coupling.gas_velocity;
-  if (const double residual = detail::solve_slices<Case, W>(gas, 0, gas.padded, set_velocity);
-      !(residual < maximum_residual))
-    return {Fault::gas_unsolved, -1, 0, residual, maximum_residual};
+  const double U = bulk_velocity(p, step);
+  double residual;
+  if constexpr (is_compressible<Case>)
+    residual = detail::solve_pressures<Case, W>(gas, U, step == 0);
+  else
+    residual = detail::solve_slices<Case, W>(gas, 0, gas.padded, U);
+  if (!(residual < maximum_residual)) return {Fault::gas_unsolved, -1, 0, residual, maximum_residual};
+
   constexpr double per_force = Case::time_step / Derived<Case>::reference_mass;
   for (int s = 0; s < Case::slice_count; ++s) gas.kick_in_bed[s] = detail::force_in_bed(gas, s) * per_force;
-  for (int i = 0; i < Case::particle_count; ++i) {
-    const int s = gas.slice_of[i];
+  for (int i = 0; i < p.rows(); ++i) {
     double* kick = p.gas_kick.row[i];
+    kick[0] = kick[1] = kick[2] = kick[3] = 0;
+    if (!p.is_present(i)) continue;
+    const int s = gas.slice_of[i];
     const double diameter = 2 * radius_at<Case>(p.position[i]);
-    kick[0] = kick[1] = kick[3] = 0, kick[2] = gas.kick_in_bed[s] * detail::share_of_drag(gas, s, diameter);
-    if (!gas.floats[p.id[i]]) continue;
+    kick[2] = gas.kick_in_bed[s] * detail::share_of_drag(gas, s, diameter);
+    if (!is_floating(gas, p, i)) continue;
     double force[3];
-    detail::drag_on_floater<Case>(gas.velocity_above[s], p.motion[i], force, diameter);
+    detail::drag_on_floater<Case>(gas.velocity_above[s], p.motion[i], force, diameter, stream_at<Case, 1>(gas, s));
     for (int k = 0; k < 3; ++k) kick[k] = force[k] * per_force;
   }
   return {};

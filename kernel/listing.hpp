@@ -55,7 +55,7 @@ void list_walls(Walls& walls, const NearList<Case>& near, const Particles<Case>&
                  smallest_diameter<Case>);
   double nearest_unlisted = 1e300;
   int k = 0, touching = 0;
-  for (int i = 0; i < particles_in<Case>(chunk); ++i) {
+  for (int i = 0; i < particles_in(p, chunk); ++i) {
     const double gap = walls.surface.gap(p.position[base + i]);
     if (!(gap < validity.margin)) {
       nearest_unlisted = min(gap, nearest_unlisted);

@@ -261,7 +261,7 @@ void move(Contacts<Case>& contacts, Particles<Case>& particles, int chunk, const
                                           {rows, contacts.torque_at(rows)},
                                           contacts.has_sums[chunk] ? contacts.sum[base] : nullptr, particles, monitor);
   else
-    detail::move_by_sums<Case, W>(particles_in<Case>(chunk), base, contacts.sum[base], particles, monitor);
+    detail::move_by_sums<Case, W>(particles_in(particles, chunk), base, contacts.sum[base], particles, monitor);
   monitor.put_back(totals);
 }
 

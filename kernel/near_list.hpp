@@ -58,18 +58,25 @@ struct NearList {
     return box.speed() < limit;
   }
 
+  /// Bound on how far particles have come along the pipe since the sort, m.
+  double moved(long long step, int chunks) const {
+    double most = abs(frame[2]) * Case::time_step * static_cast<double>(step - sorted_at);
+    double longest = 0;
+    for (int c = 0; c < chunks; ++c) longest = max(travel[c], longest);
+    return most + longest;
+  }
+
   /// A chunk has moved.
   void note_step(int chunk, const VelocityBox& box) {
     velocities[chunk] = box;
     travel[chunk] += box.speed(frame) * Case::time_step;
   }
 
-  /// Whether particles must be sorted before this step. If not, the next decision is set.
-  bool order_is_due(long long step) {
+  /// Whether particles must be sorted before this step. If not, the next decision is set. `chunks`: in use.
+  bool order_is_due(long long step, int chunks) {
     if (step < next_decision) return false;
     double longest = 0, fastest = 0;
-    for (int c = 0; c < Cap::chunks; ++c)
-      longest = max(travel[c], longest), fastest = max(velocities[c].speed(), fastest);
+    for (int c = 0; c < chunks; ++c) longest = max(travel[c], longest), fastest = max(velocities[c].speed(), fastest);
     const VelocityBox still{{0, 0, 0}, {0, 0, 0}};
     const double rest = outer.allowed_travel() - longest;
     const double of_a_step = (speed_growth * fastest + still.speed(frame)) * Case::time_step;
@@ -84,12 +91,13 @@ struct NearList {
     return false;
   }
   /// After a sort. In a state so fast that no allowance would do, the next decision is made at the next step.
-  void start_order(const Particles<Case>& p, long long step) {
+  /// `chunks`: in use before it or after it.
+  void start_order(const Particles<Case>& p, long long step, int chunks) {
     VelocityBox all;
-    for (int chunk = 0; chunk < Cap::chunks; ++chunk) {
+    for (int chunk = 0; chunk < chunks; ++chunk) {
       const int base = chunk * Cap::chunk_size;
       velocities[chunk] = {};
-      for (int i = base; i < base + particles_in<Case>(chunk); ++i) velocities[chunk].add(p.motion[i], p.motion[i]);
+      for (int i = base; i < base + particles_in(p, chunk); ++i) velocities[chunk].add(p.motion[i], p.motion[i]);
       all.add(velocities[chunk]);
       travel[chunk] = 0;
     }
@@ -97,7 +105,7 @@ struct NearList {
     ++sorts;
     sorted_at = step;
     most_reach = outer.reach > most_reach ? outer.reach : most_reach;
-    if (order_is_due(next_decision = step)) next_decision = step + 1;
+    if (order_is_due(next_decision = step, chunks_in_use(p))) next_decision = step + 1;
   }
 };
 

@@ -15,7 +15,7 @@ inline constexpr double farthest_place = 1000;
 /// Brings z into [0, length) of a periodic pipe and counts the crossings.
 template <class Case>
 void wrap_into_pipe(Particles<Case>& particles) {
-  for (int i = 0; i < Case::particle_count; ++i) {
+  for (int i = 0; i < particles.rows(); ++i) {
     double& z = particles.position[i][2];
     while (z < 0) z += Case::pipe_length, --particles.image[i];
     while (z >= Case::pipe_length) z -= Case::pipe_length, ++particles.image[i];
@@ -34,6 +34,16 @@ int cell_at(const double* x) {
   };
   const int ix = part(x[0] + C::width / 2, C::width, C::across), iy = part(x[1] + C::width / 2, C::width, C::across);
   return (part(x[2], Case::pipe_length, C::along) * C::across + iy) * C::across + ix;
+}
+
+/// Slabs of cells up to the foremost particle: those of a line that fills are few.
+template <class Case>
+int slabs_up_to_foremost(const Particles<Case>& p) {
+  if constexpr (!is_line<Case>) return Cells<Case>::along;
+  double front = 0;
+  for (int i = 0; i < p.rows(); ++i) front = max(p.position[i][2], front);
+  const double x[3] = {0, 0, front};
+  return cell_at<Case>(x) / Cells<Case>::in_slab + 1;
 }
 
 /// All that is renumbered of a particle, except the copy of its motion in floats.
@@ -63,7 +73,9 @@ struct WholeParticle {
 /// Renumbers by (cell, input number).
 template <class Case>
 void sort_by_cell(OuterList<Case>& outer, SortScratch<Case>& scratch, Particles<Case>& p) {
-  constexpr int count = Case::particle_count, cells = Cells<Case>::count;
+  outer.slabs = detail::slabs_up_to_foremost(p);
+  const int cells = outer.slabs * Cells<Case>::in_slab;
+  const int count = p.rows();
   int *start = outer.cell_start, *source = scratch.source;
   for (int c = 0; c <= cells; ++c) start[c] = 0;
   for (int i = 0; i < count; ++i) ++start[detail::cell_at<Case>(p.position[i]) + 1];

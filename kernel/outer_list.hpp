@@ -30,7 +30,8 @@ struct OuterList {
   int span;                         ///< chunks behind its own in which the partners of a chunk lie
   int reach;                        ///< particles between one and its last partner at most
   int last_at_start, first_at_end;  ///< chunks up to and from which particles have pairs across the periodic ends
-  int cell_start[Cells<Case>::count + 1];  ///< first particle of each cell, at the last sort
+  int slabs;                        ///< of cells in use: all but in a line, which may be empty towards its outlet
+  int cell_start[Cells<Case>::count + 1];  ///< first particle of each cell in use, at the last sort
   /// How far a particle may come, m. With gas the list must go on holding what makes a bed (floaters.hpp).
   double allowed_travel() const {
     return 0.5 * (margin - (Case::has_gas ? (near_reach - 1) * smallest_diameter<Case> : 0));

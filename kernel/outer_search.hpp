@@ -55,7 +55,7 @@ FIXDEM_INLINE void search_around(FoundPairs<Case>& pairs, const SortScratch<Case
   const int end_of_row = start[ix + 1 < C::across ? 2 : 1];
   Runs<Case> row, slab;
   row.add(cells, ix, iy + 1, iz);
-  const bool is_last = iz + 1 == C::along;
+  const bool is_last = iz + 1 == pairs.outer.slabs;
   if (!is_last || Derived<Case>::is_periodic)
     for (int dy = -1; dy <= 1; ++dy) slab.add(cells, ix, iy + dy, is_last ? 0 : iz + 1);
   for (int i = start[0]; i < start[1]; ++i) {
@@ -107,7 +107,8 @@ void search_by_sizes(FoundPairs<Case>& pairs, const SortScratch<Case>& at, int i
     const int reach = C::reach_of(2 * r);
     const int left = ix > reach ? ix - reach : 0, right = ix + reach + 1 < C::across ? ix + reach + 1 : C::across;
     for (int dz = is_smallest ? 0 : -reach; dz <= reach; ++dz) {
-      const bool from_start = iz + dz < 0, from_end = iz + dz >= C::along;  // of the pipe, seen across its ends
+      const bool from_start = iz + dz < 0,
+                 from_end = iz + dz >= pairs.outer.slabs;  // of the pipe, seen across its ends
       if ((from_start || from_end) && !Derived<Case>::is_periodic) continue;
       const int slab = iz + dz + (from_start ? C::along : 0) - (from_end ? C::along : 0);
       if (slab < 0 || slab >= C::along) continue;
@@ -139,7 +140,7 @@ Status find_outer_pairs(OuterList<Case>& outer, const SortScratch<Case>& at, con
   using Cap = Capacity<Case>;
   using C = Cells<Case>;
   FoundPairs<Case> pairs(outer);
-  for (int iz = 0; iz < C::along && pairs.crowded < 0; ++iz)
+  for (int iz = 0; iz < outer.slabs && pairs.crowded < 0; ++iz)
     for (int iy = 0; iy < C::across; ++iy)
       for (int ix = 0; ix < C::across; ++ix) {
         const int* const start = outer.cell_start + (iz * C::across + iy) * C::across + ix;
@@ -162,12 +163,11 @@ Status find_outer_pairs(OuterList<Case>& outer, const SortScratch<Case>& at, con
 /// The outer list of a new order. Where pairs are more than it has room for, with a smaller margin.
 template <class Case, int W>
 Status list_outer(OuterList<Case>& outer, SortScratch<Case>& at, const Particles<Case>& p) {
-  for (int i = 0; i < Case::particle_count; ++i)
-    at.x[i] = p.position[i][0], at.y[i] = p.position[i][1], at.z[i] = p.position[i][2];
-  for (int i = Case::particle_count; i < Case::particle_count + 8; ++i) at.x[i] = at.y[i] = at.z[i] = 0;
+  const int count = p.rows();
+  for (int i = 0; i < count; ++i) at.x[i] = p.position[i][0], at.y[i] = p.position[i][1], at.z[i] = p.position[i][2];
+  for (int i = count; i < count + 8; ++i) at.x[i] = at.y[i] = at.z[i] = 0;
   if constexpr (has_sizes<Case>)
-    for (int i = 0; i < Case::particle_count + 8; ++i)
-      at.radius.of[i] = i < Case::particle_count ? p.position[i][3] : 0;
+    for (int i = 0; i < count + 8; ++i) at.radius.of[i] = i < count ? p.position[i][3] : 0;
   outer.margin = outer_margin<Case> * smallest_diameter<Case>;
   for (;; outer.margin *= 0.9) {
     const Status status = detail::find_outer_pairs<Case, W>(outer, at, p, outer.margin);

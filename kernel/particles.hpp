@@ -9,6 +9,10 @@
 //
 // With several sizes the pads hold what a particle is: the radius in its position's, m_0/m and r_0/r in its motion's,
 // m_0 and r_0 being those of the sphere of reference (case.hpp). Otherwise they are zero.
+//
+// In a line (feed.hpp, outlet.hpp) the arrays have room for `count` particles and the first `rows()` rows are in use. A
+// particle that has left keeps its row until particles are sorted, parked far behind the outlet, at rest. Its number
+// here, the slot, is then used again; the serial number is its own for ever.
 #pragma once
 
 #include "coupling.hpp"
@@ -45,6 +49,17 @@ struct FloatRows {
 };
 template <int Count, int Width>
 struct FloatRows<Count, Width, false> {};
+
+/// Which particles of a line are present.
+template <class Case, bool present = is_line<Case>>
+struct Slots {
+  int rows_in_use;
+  long long serial[Case::particle_count];                ///< by slot
+  bool is_taken[Case::particle_count];                   ///< by slot
+  int kind[has_sizes<Case> ? Case::particle_count : 1];  ///< by slot: number in the table of sizes
+};
+template <class Case>
+struct Slots<Case, false> {};
 }  // namespace detail
 
 template <class Case>
@@ -62,6 +77,39 @@ struct Particles {
   [[no_unique_address]] Coupling<Case> coupling;
   int id[count];
   int image[count];  ///< crossings of the periodic ends
+  [[no_unique_address]] detail::Slots<Case> slots;
+
+  /// Rows in use.
+  int rows() const {
+    if constexpr (is_line<Case>)
+      return slots.rows_in_use;
+    else
+      return count;
+  }
+  /// Whether the particle of a row is in the pipe still.
+  bool is_present([[maybe_unused]] int row) const {
+    if constexpr (is_line<Case>)
+      return position[row][2] < Case::pipe_length;
+    else
+      return true;
+  }
+  /// Number in the table of sizes.
+  int kind([[maybe_unused]] int row) const {
+    if constexpr (is_line<Case> && has_sizes<Case>)
+      return slots.kind[id[row]];
+    else
+      return id[row];
+  }
+
+  /// A particle at rest on the axis that nothing has acted on, of no size yet.
+  void clear_row(int row) {
+    for (double& x : position[row]) x = 0;
+    for (double& v : motion[row]) v = 0;
+    if constexpr (predicts)
+      for (double& change : last_kick.row[row]) change = 0;
+    if constexpr (Case::has_gas)
+      for (double& change : gas_kick.row[row]) change = 0;
+  }
 
   /// Motion as contacts look it up, from row `first` on.
   const Real<Case>* looked_up_motion(int first) const {
@@ -86,25 +134,34 @@ double share_of_mass(const Particles<Case>& p, int i) {
     return 1;
 }
 
-/// Fills the pads of a row by what particle `id` is.
+/// What the pads of a row hold: radius, m_0/m and r_0/r of a kind.
 template <class Case>
-void set_size(Particles<Case>& p, int row, int id) {
-  using D = Derived<Case>;
-  p.position[row][3] = radius_of<Case>(id);
-  p.motion[row][3] = D::reference_mass / mass_of<Case>(id);
-  p.motion[row][7] = D::reference_radius / radius_of<Case>(id);
+struct SizePads {
+  double radius, inverse_mass, inverse_radius;
+  explicit SizePads(int kind)
+      : radius(radius_of<Case>(kind)),
+        inverse_mass(Derived<Case>::reference_mass / mass_of<Case>(kind)),
+        inverse_radius(Derived<Case>::reference_radius / radius) {}
+};
+
+/// Fills the pads of a row, whose number is set, by what its particle is; nothing with one size.
+template <class Case>
+void set_size([[maybe_unused]] Particles<Case>& p, [[maybe_unused]] int row) {
+  if constexpr (has_sizes<Case>) {
+    const SizePads<Case> pads(p.kind(row));
+    p.position[row][3] = pads.radius, p.motion[row][3] = pads.inverse_mass, p.motion[row][7] = pads.inverse_radius;
+  }
 }
 
 /// Whether the pads of a row are those of its particle.
 template <class Case>
-bool has_its_size(const Particles<Case>& p, int row) {
-  using D = Derived<Case>;
-  if constexpr (has_sizes<Case>)
-    return p.position[row][3] == radius_of<Case>(p.id[row]) &&
-           p.motion[row][3] == D::reference_mass / mass_of<Case>(p.id[row]) &&
-           p.motion[row][7] == D::reference_radius / radius_of<Case>(p.id[row]);
-  else
-    return true;
+bool has_its_size([[maybe_unused]] const Particles<Case>& p, [[maybe_unused]] int row) {
+  if constexpr (has_sizes<Case>) {
+    const SizePads<Case> pads(p.kind(row));
+    return p.position[row][3] == pads.radius && p.motion[row][3] == pads.inverse_mass &&
+           p.motion[row][7] == pads.inverse_radius;
+  }
+  return true;
 }
 
 }  // namespace fixdem

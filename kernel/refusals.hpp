@@ -7,6 +7,44 @@
 
 namespace fixdem {
 
+/// Of an open line; nothing of others.
+template <class Case, bool present = is_line<Case>>
+struct CheckedLine {
+  static_assert(Case::start_count >= 0 && Case::start_count <= Case::particle_count,
+                "fixdem: [particles] count must not be above capacity");
+  static_assert(Case::has_wall, "fixdem: ends = \"open\" needs the pipe's wall: set [pipe] wall = true");
+  static_assert(Case::pipe_length >= 4 * largest_diameter<Case>,
+                "fixdem: an open line must be at least 4 particle diameters long: raise [pipe] length");
+  static_assert(Case::feed_length >= 2 * largest_diameter<Case> && Case::feed_length <= Case::pipe_length,
+                "fixdem: [feed] length must lie between two diameters of the particles and the length of the pipe");
+  static_assert(Case::feed_interval >= 1, "fixdem: feed_interval must be 1 step at least");
+  static_assert(Case::feed_velocity >= 0, "fixdem: [feed] velocity must not be negative");
+  static constexpr bool rates_are_sound = [] {
+    double last = -1e300;
+    for (const TimeValue& row : Case::feed_rate) {
+      if (!(row.value >= 0) || !(row.time > last)) return false;
+      last = row.time;
+    }
+    return true;
+  }();
+  static_assert(rates_are_sound, "fixdem: [feed] rate must not be negative, and its times must increase");
+  static constexpr bool kinds_are_sound = [] {
+    if constexpr (has_sizes<Case>)
+      return Case::first_fed_kind >= 0 && Case::first_fed_kind < kinds_in<Case> && Case::start_count <= kinds_in<Case>;
+    else
+      return true;
+  }();
+  static_assert(kinds_are_sound, "fixdem: sizes must have the kinds of all particles at the start, and one to be fed");
+  static_assert(!is_coupled<Case>, "fixdem: a line cannot be coupled: gravity and gas are those of its case");
+  static constexpr bool ok = true;
+};
+template <class Case>
+struct CheckedLine<Case, false> {
+  static_assert(
+      !requires { Case::feed_rate; }, "fixdem: [feed] needs [pipe] ends = \"open\"");
+  static constexpr bool ok = true;
+};
+
 template <class Case>
 struct Checked {
   static_assert(Case::particle_count >= 1, "fixdem: [particles] count must be at least 1");
@@ -16,7 +54,7 @@ struct Checked {
                 "fixdem: the particle is wider than the pipe: lower [particles] diameter or raise [pipe] diameter");
   static_assert(largest_diameter<Case> <= 10 * smallest_diameter<Case>,
                 "fixdem: the largest diameter must be at most 10 times the smallest");
-  static_assert(particles_in_sizes<Case>() == Case::particle_count,
+  static_assert(is_line<Case> || kinds_in<Case> == Case::particle_count,
                 "fixdem: the counts of sizes must add up to particle_count");
   static_assert(!has_sizes<Case> || Case::damping_mass == DampingMass::reduced,
                 "fixdem: [contact] damping_mass = \"particle\" needs one size of particles: use \"reduced\"");
@@ -67,12 +105,13 @@ struct Checked {
   static_assert(Case::ends != Ends::closed || Case::pipe_length >= 2 * largest_diameter<Case>,
                 "fixdem: a closed pipe must be at least 2 particle diameters long: raise [pipe] length");
   static_assert(!Case::has_gas || Case::has_wall, "fixdem: the gas model needs the pipe wall: set [pipe] wall = true");
-  static_assert(
-      !Case::has_gas || gas_takes_gravity(Case::gravity, Case::particle_count > 1),
-      "fixdem: the gas model takes the height of the bed along y: with gas, [run] gravity must be [0, -g, 0]");
+  static_assert(!Case::has_gas || gas_takes_gravity(Case::gravity, Case::particle_count > 1),
+                "fixdem: the gas model needs to know where a bed lies: with gas and several particles, [run] gravity "
+                "must not be zero");
   static_assert(Case::time_step > 0, "fixdem: [run] time_step must be positive");
   static_assert(Case::neighbour_capacity >= 2 && Case::neighbour_capacity <= (has_sizes<Case> ? 160 : 30),
                 "fixdem: [capacity] neighbours must lie between 2 and 30, with several sizes 160");
+  static_assert(CheckedLine<Case>::ok);
   static constexpr bool ok = true;
 };
 

@@ -44,12 +44,25 @@ inline constexpr double smallest_diameter = [] {
     return Case::diameter;
 }();
 
-/// The run of a particle. Every particle may be one of its own, or there are few runs.
+/// Particles in all runs: as many as there are; in a line (case.hpp), the kinds of those at the start and of those fed.
+template <class Case>
+inline constexpr int kinds_in = [] {
+  if constexpr (has_sizes<Case>) {
+    int kinds = 0;
+    for (const SizeRun& run : Case::sizes) kinds += run.count;
+    return kinds;
+  } else {
+    return Case::particle_count;
+  }
+}();
+
+/// The run of a particle, by its kind: its input number but in a line. Every particle may be one of its own, or there
+/// are few runs.
 template <class Case>
 constexpr SizeRun size_run_of(int id) {
   if constexpr (has_sizes<Case>) {
     constexpr int runs = sizeof(Case::sizes) / sizeof(SizeRun);
-    if constexpr (runs == Case::particle_count) return Case::sizes[id];
+    if constexpr (runs == kinds_in<Case>) return Case::sizes[id];
     int run = 0;
     for (int first = Case::sizes[0].count; run + 1 < runs && id >= first; first += Case::sizes[run].count) ++run;
     return Case::sizes[run];
@@ -58,7 +71,7 @@ constexpr SizeRun size_run_of(int id) {
   }
 }
 
-/// Values of a particle by input number.
+/// Values of a particle by its kind.
 template <class Case>
 constexpr double diameter_of(int id) {
   return size_run_of<Case>(id).diameter;
@@ -83,20 +96,6 @@ constexpr double mass_of(int id) {
 template <class Case>
 constexpr int species_of(int id) {
   return size_run_of<Case>(id).species;
-}
-
-/// Particles in all runs. A run for each particle has one.
-template <class Case>
-constexpr int particles_in_sizes() {
-  if constexpr (has_sizes<Case>) {
-    constexpr int runs = sizeof(Case::sizes) / sizeof(SizeRun);
-    if (runs == Case::particle_count) return runs;
-    int particles = 0;
-    for (const SizeRun& run : Case::sizes) particles += run.count;
-    return particles;
-  } else {
-    return Case::particle_count;
-  }
 }
 
 }  // namespace fixdem

@@ -35,7 +35,7 @@ Status list_slots(Contacts<Case>& contacts, NearList<Case>& near, const Particle
   using Cap = Capacity<Case>;
   using R = Rows<Case>;
   constexpr int kinds = Contacts<Case>::max_slots + 1;
-  const int base = chunk * Cap::chunk_size, particles = particles_in<Case>(chunk);
+  const int base = chunk * Cap::chunk_size, particles = particles_in(p, chunk);
   auto &own = scratch.own, &incoming = scratch.incoming, &neighbours = scratch.neighbours;
   for (int i = 0; i < particles; ++i) own[i] = incoming[i] = neighbours[i] = 0;
   int crowded = -1;

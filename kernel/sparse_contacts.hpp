@@ -171,7 +171,7 @@ class SparseContacts {
     for (int p = 0; p < parts_; ++p)
       entries.sum(part_[p].begin, part_[p].end, part_[p].number, monitors_[part_[p].range]);
     for (int k = 0; k < list_.count; ++k) {
-      const Real<Case>* torque = torques[Side::has_partner_torques ? k : 0];
+      const Real<Case>* torque = Side::has_partner_torques ? torques[k] : nullptr;
       if (later_ != nullptr) {
         later_->put(rows[k], torque, list_.owner[k], has_partners ? list_.partner[k] : RowsForLater<Case>::nobody);
         continue;

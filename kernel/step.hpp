@@ -34,6 +34,7 @@ struct State {
   ListingScratch<Case> scratch;
   KeptOrPlaced<Case> before;
   [[no_unique_address]] GasSlices<Case> gas;
+  [[no_unique_address]] Line<Case> line;
   StepMonitor<Case> monitor[NearList<Case>::ranges];
   Status status;
   long long step;
@@ -56,7 +57,7 @@ Status find_culprit(const State<Case>& s, int chunk, Fault fault, double limit) 
   const auto& p = s.particles;
   Status worst{fault, -1, 0, 0, limit};
   const int base = chunk * Capacity<Case>::chunk_size;
-  for (int i = base; i < base + particles_in<Case>(chunk); ++i) {
+  for (int i = base; i < base + particles_in(p, chunk); ++i) {
     const double* v = p.motion[i];
     double square = 0;
     for (int c = 0; c < Particles<Case>::motion_width; ++c) square += v[c] * v[c];
@@ -177,6 +178,10 @@ void move_chunk(State<Case>& s, int chunk, int ahead = 0) {
   VelocityBox velocities;
   velocities.add(monitor.low, monitor.high);
   s.near_list.note_step(chunk, velocities);
+  if constexpr (is_line<Case>)
+    let_leave(s.line, s.contacts, s.particles, chunk, velocities, [&]([[maybe_unused]] int slot) {
+      if constexpr (Case::has_gas) s.gas.floats[slot] = true;  // as whoever is fed into it, until looked at
+    });
   if (const Status status = check_chunk(s, chunk, step); !status.ok()) detail::note(s, status, step + 1);
 }
 
@@ -184,12 +189,18 @@ void move_chunk(State<Case>& s, int chunk, int ahead = 0) {
 template <class Case, int W>
 void begin_step(State<Case>& s) {
   Status status;
-  if (s.near_list.order_is_due(s.step))
-    status = renew<Case, W>(s.contacts, s.near_list, s.particles, s.before.kept, s.scratch, s.step);
+  bool feeds = false;
+  if constexpr (is_line<Case>) {
+    begin_feeding(s.line, s.particles, s.near_list, s.step);
+    feeds = s.line.feeds;
+  }
+  if (feeds || s.near_list.order_is_due(s.step, chunks_in_use(s.particles)))
+    status = renew<Case, W>(s.contacts, s.near_list, s.particles, s.before.kept, s.scratch, s.line, s.step);
   if constexpr (Case::has_gas) {
     if (status.ok() && s.step % Case::gas_floater_interval == 0)
       find_floaters<Case, W>(s.gas, s.particles, s.near_list.outer);
-    if (status.ok() && s.step % Case::gas_update_interval == 0) status = update_slices<Case, W>(s.gas, s.particles);
+    if (status.ok() && s.step % Case::gas_update_interval == 0)
+      status = update_slices<Case, W>(s.gas, s.particles, s.step);
   }
   if (!status.ok()) detail::note(s, status, s.step);
 }
@@ -197,7 +208,7 @@ void begin_step(State<Case>& s) {
 /// One time step of the whole pipe. `W`: lanes per register.
 template <class Case, int W>
 void step(State<Case>& s) {
-  constexpr int chunks = Capacity<Case>::chunks;
+  const int chunks = chunks_in_use(s.particles);
   if constexpr (Derived<Case>::is_periodic) compute_across<Case, W>(s);
   for (int begin = 0; begin < chunks; begin += chunks_together) {
     const int end = begin + chunks_together < chunks ? begin + chunks_together : chunks;

@@ -1,10 +1,10 @@
 // Surfaces of the walls: where a particle touches, how near it is, and what a wall is called.
 //
 // The pipe's inner surface, with overlap q - (R - r), q the distance of the centre from the axis, normal outwards; and
-// the flat ends of a closed pipe, with overlap r - z or z - (L - r). A particle touches a surface at one place at most.
-// In mixed precision q^2 - (R - r)^2 and the overlap with an end are formed in double and narrowed (wall_contacts.hpp).
-// Everything that differs between walls is here: a new one is a struct with the same members, a member of Contacts and
-// a line in for_each_wall (contacts.hpp).
+// the flat ends of a closed pipe, with overlap r - z or z - (L - r), of which a line has the first only. A particle
+// touches a surface at one place at most. In mixed precision q^2 - (R - r)^2 and the overlap with an end are formed in
+// double and narrowed (wall_contacts.hpp). Everything that differs between walls is here: a new one is a struct with
+// the same members, a member of Contacts and a line in for_each_wall (contacts.hpp).
 #pragma once
 
 #include "lanes.hpp"
@@ -111,6 +111,7 @@ struct EndSurfaces {
 
   template <class V>
   static FIXDEM_INLINE Separation<V> separation(const Vec3<V>& x, V radius) {
+    if constexpr (is_line<Case>) return {{V{}, V{}, splat<V>(-1.0)}, radius - x.z};
     const auto at_start = x.z < 0.5 * Case::pipe_length;
     return {{V{}, V{}, select(at_start, splat<V>(-1.0), splat<V>(1.0))},
             select(at_start, radius - x.z, x.z - (Case::pipe_length - radius))};
@@ -125,7 +126,9 @@ struct EndSurfaces {
     return s.gap_square;
   }
 
-  static double gap(const double* x) { return min(x[2], Case::pipe_length - x[2]) - radius_at<Case>(x); }
+  static double gap(const double* x) {
+    return (is_line<Case> ? x[2] : min(x[2], Case::pipe_length - x[2])) - radius_at<Case>(x);
+  }
   static double overlap(const double* x, Vec3<double>& n) {
     return resolve(separation(Vec3<double>{x[0], x[1], x[2]}, radius_at<Case>(x)), 0.0, n);
   }

@@ -23,14 +23,15 @@ namespace fixdem {
 /// The chunks of a tile's steps, with the span and the ends as they are since the last sort.
 template <class Case>
 struct TileShape {
-  int span, last_at_start, first_at_end;
-  explicit TileShape(const OuterList<Case>& outer)
-      : span(outer.span), last_at_start(outer.last_at_start), first_at_end(outer.first_at_end) {}
+  int span, last_at_start, first_at_end, chunks;
+  explicit TileShape(const State<Case>& s)
+      : span(s.near_list.outer.span),
+        last_at_start(s.near_list.outer.last_at_start),
+        first_at_end(s.near_list.outer.first_at_end),
+        chunks(chunks_in_use(s.particles)) {}
   /// Chunks that step t moves in the first phase.
   int first_chunk(int t) const { return Derived<Case>::is_periodic && t > 0 ? last_at_start + 1 + (t - 1) * span : 0; }
-  int end_chunk(int t) const {
-    return Derived<Case>::is_periodic && t > 0 ? first_at_end - (t - 1) * span : Capacity<Case>::chunks;
-  }
+  int end_chunk(int t) const { return Derived<Case>::is_periodic && t > 0 ? first_at_end - (t - 1) * span : chunks; }
   bool fits(int depth) const {
     return depth == 1 || (first_chunk(depth - 1) + span < end_chunk(depth - 1) &&
                           Contacts<Case>::rows_for(span, depth) <= Contacts<Case>::row_count);
@@ -46,14 +47,17 @@ int tile_depth(const State<Case>& s, long long steps) {
   static_assert(Capacity<Case>::chunks >= chunks_for_tile(maximum),
                 "fixdem: tiles need a pipe of many chunks: lower [capacity] tile_steps");
   if (maximum == 1) return 1;
+  if constexpr (is_line<Case> && !requires { Case::tile_steps; })
+    if (s.particles.rows() < scene_beyond_caches) return 1;
   long long depth = steps < maximum ? steps : maximum;
   const auto end_before = [&](long long left) { depth = left < depth ? left : depth; };
   end_before(s.near_list.next_decision - s.step);
+  if constexpr (is_line<Case>) end_before(Case::feed_interval - s.step % Case::feed_interval);
   if constexpr (Case::has_gas) {
     end_before(Case::gas_update_interval - s.step % Case::gas_update_interval);
     end_before(Case::gas_floater_interval - s.step % Case::gas_floater_interval);
   }
-  const TileShape<Case> shape(s.near_list.outer);
+  const TileShape<Case> shape(s);
   while (!shape.fits(static_cast<int>(depth))) --depth;
   return static_cast<int>(depth);
 }
@@ -74,8 +78,8 @@ FIXDEM_INLINE void prefetch(const T* from, int count) {
 /// what is used), so the machine does not see by itself what comes next.
 template <class Case>
 void prefetch_chunk(const State<Case>& s, int chunk) {
-  if (chunk >= Capacity<Case>::chunks) return;
-  const int base = chunk * Capacity<Case>::chunk_size, particles = particles_in<Case>(chunk);
+  if (chunk >= chunks_in_use(s.particles)) return;
+  const int base = chunk * Capacity<Case>::chunk_size, particles = particles_in(s.particles, chunk);
   prefetch(s.particles.position[base], 4 * particles);
   prefetch(s.particles.motion[base], Particles<Case>::motion_width * particles);
   if constexpr (is_mixed<Case>)
@@ -89,6 +93,7 @@ void prefetch_chunk(const State<Case>& s, int chunk) {
   };
   batches(s.contacts.pairs, chunk);
   for_each_wall(s.contacts, [&](const auto& walls) { batches(walls, chunk); });
+  if (!s.contacts.has_rows[chunk]) return;
   int entries = 0;
   for (int k = 0; k <= Contacts<Case>::max_slots; ++k) entries += s.contacts.bucket[chunk][k] * (2 * k + 1);
   prefetch(s.contacts.slots[chunk], entries);
@@ -110,10 +115,10 @@ void copy_rows(Contacts<Case>& contacts, int chunk, Real<Case>* ring, int from, 
 /// `depth` steps of the whole pipe; depth as tile_depth says.
 template <class Case, int W>
 void tile(State<Case>& s, int depth) {
-  constexpr int chunks = Capacity<Case>::chunks;
+  const int chunks = chunks_in_use(s.particles);
   constexpr bool is_periodic = Derived<Case>::is_periodic;
   Contacts<Case>& contacts = s.contacts;
-  const TileShape<Case> shape(s.near_list.outer);
+  const TileShape<Case> shape(s);
   const auto step_chunk = [&](int chunk, int t) {
     compute_range<Case, W>(s, chunk, contacts.ring(t), s.step + t);
     move_chunk<Case, W>(s, chunk, t);
