@@ -38,7 +38,7 @@ template <class Case>
 struct OrderStage {
   static constexpr Contacting contacting = Contacting::none;
   static void call(State<Case>& s) {
-    require(renew<Case, W>(s.contacts, s.near_list, s.particles, s.before.kept, s.scratch, s.step));
+    require(renew<Case, W>(s.contacts, s.near_list, s.particles, s.before.kept, s.scratch, s.line, s.step));
   }
 };
 
@@ -84,7 +84,7 @@ template <class Case>
 struct GasStage {
   static constexpr Contacting contacting = Contacting::none;
   static constexpr int steps_per_call = Case::gas_update_interval;
-  static void call(State<Case>& s) { require(update_slices<Case, W>(s.gas, s.particles)); }
+  static void call(State<Case>& s) { require(update_slices<Case, W>(s.gas, s.particles, s.step)); }
 };
 
 template <class Case>

@@ -19,12 +19,13 @@ bool is_on_bottom(double x, double y, double radius = Derived<Case>::largest_rad
 
 template <class Case, int W>
 void find_floaters(GasSlices<Case>& gas, const Particles<Case>& p, const OuterList<Case>& outer) {
-  if constexpr (Derived<Case>::is_steep) return;
+  constexpr bool can_float = !Derived<Case>::is_steep;
   for (int i = 0; i < p.rows(); ++i) {
     if (!p.is_present(i)) continue;
     const double* x = p.position[i];
-    gas.floats[p.id[i]] = !is_on_bottom<Case>(x[0], x[1], radius_at<Case>(x));
+    gas.floats[p.id[i]] = can_float && !is_on_bottom<Case>(x[0], x[1], radius_at<Case>(x));
   }
+  if constexpr (!can_float) return;
   for (int range = 0; range < PairBatches<Case>::ranges; ++range) {
     const PairRange<Case> at(range);
     const auto *owners = outer.owner + outer.first(range), *partners = outer.partner + outer.first(range);

@@ -112,7 +112,7 @@ double bulk_velocity([[maybe_unused]] const Particles<Case>& p, [[maybe_unused]]
     return Case::gas_velocity;
 }
 
-/// Whether the particle of a row floats.
+/// Whether the particle of a row floats. One just fed counts as floating until it is looked at, in a steep pipe never.
 template <class Case>
 bool is_floating(const GasSlices<Case>& gas, const Particles<Case>& p, int row) {
   return !Derived<Case>::is_steep && gas.floats[p.id[row]];
