@@ -71,7 +71,7 @@ inline const std::vector<BadCase> bad_cases = {
      "title",
      {"missing table [run]", "time_step, duration"}},
     // types
-    {"count = 2", "count = 2.5", "2.5", {"count = 2.5 in [particles]", "must be a whole number", "allowed: 1 to"}},
+    {"count = 2", "count = 2.5", "2.5", {"count = 2.5 in [particles]", "must be a whole number", "allowed: 0 to"}},
     {"diameter = 0.010",
      "diameter = \"10 mm\"",
      "\"10 mm\"",
@@ -83,7 +83,10 @@ inline const std::vector<BadCase> bad_cases = {
      {"gravity = [0, -9.81] in [run]", "has 2 entries", "[x, y, z]"}},
     {"duration = 1.2", "duration = 1.2\ngravity = [0, inf, 0]", "[0, inf", {"gravity", "must be finite"}},
     // ranges
-    {"count = 2", "count = 0", "0\ndiameter", {"count = 0 in [particles] is out of range", "1 to 10000000"}},
+    {"count = 2",
+     "count = 0",
+     "0\ndiameter",
+     {"[particles] count = 0; allowed: 1 to 10000000, and 0 with", "an open pipe is fed"}},
     {"diameter = 0.010", "diameter = -0.010", "-0.010", {"diameter = -0.01", "out of range", "above 0"}},
     {"density = 1000.0", "density = nan", "nan", {"density = nan", "not a number", "above 0"}},
     {"poisson_ratio = 0.33", "poisson_ratio = 0.51", "0.51", {"poisson_ratio = 0.51", "0 to 0.5"}},

@@ -99,12 +99,13 @@ inline std::string members(const std::string& header) {
   return kept;
 }
 
-/// A case without [pipe] wall, ends and gas.
-inline std::string bare(std::string text) {
+inline std::string without_gas(std::string text) {
   const auto gas = text.find("[gas]"), start = text.find("[start]");
-  text.erase(gas, start - gas);
-  return replaced(text, "wall = true", "wall = false");
+  return text.erase(gas, start - gas);
 }
+
+/// A case without [pipe] wall, ends and gas.
+inline std::string bare(const std::string& text) { return replaced(without_gas(text), "wall = true", "wall = false"); }
 
 /// One bad case: its exit code, position and words, and that no header appears or changes.
 inline void check_refused(const std::string& text, const std::string& at, const std::vector<const char*>& words) {
@@ -123,6 +124,26 @@ inline void check_refused(const std::string& text, const std::string& at, const 
   write(header, "an earlier header");
   CHECK(casegen(command).exit_code == 3);
   CHECK(read(header) == "an earlier header");
+}
+
+/// Accepted, with a warning at the first place of `at`.
+inline void check_warned(const std::string& text, const std::string& at, const std::vector<const char*>& words) {
+  const fs::path file = scratch() / "warned.toml";
+  write(file, text);
+  const Outcome outcome = casegen("'" + file.string() + "' --print");
+  CAPTURE(outcome.output);
+  CHECK(outcome.exit_code == 0);
+  CHECK(contains(outcome.output, file.string() + ":" + position_of(text, at) + ": warning: "));
+  CHECK(contains(outcome.output, "struct warned {"));
+  for (const std::string word : words) CHECK_MESSAGE(contains(outcome.output, word), word);
+}
+
+inline void check_quiet(const std::string& text) {
+  const fs::path file = scratch() / "quiet.toml";
+  write(file, text);
+  const Outcome outcome = casegen("'" + file.string() + "'");
+  CHECK_MESSAGE(outcome.exit_code == 0, outcome.output);
+  CHECK_MESSAGE(!contains(outcome.output, "warning"), outcome.output);
 }
 
 }  // namespace casegen_test

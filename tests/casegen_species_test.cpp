@@ -131,7 +131,7 @@ TEST_CASE("casegen refuses species that make no sense") {
   check_refused(with_particles(density + large + species("count = 5\n")), "[[particles.species]]\ncount",
                 {"missing key 'diameter' in [[particles.species]]"});
   check_refused(with_particles(density + large + species("count = 0\ndiameter = 0.005\n")), "0\ndiameter = 0.005",
-                {"count = 0 in [[particles.species]] is out of range", "1 to 10000000"});
+                {"[[particles.species]] count = 0; allowed: 1 to 10000000, and 0 with [pipe] ends = \"open\""});
   check_refused(with_particles(density + species("count = 9000000\ndiameter = 1e-5\n") +
                                species("count = 1000001\ndiameter = 1e-5\n")),
                 "1000001", {"makes 10000001 particles of all species; allowed: at most 10000000"});

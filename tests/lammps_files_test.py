@@ -164,6 +164,17 @@ class Law(unittest.TestCase):
             self.assertIn(way_out, refusal(case_of("settle", **changed)))
         self.assertIsNone(refusal(case_of("settle", slider="paper", friction=0.0)))
 
+    def test_gas_that_is_not_constant_or_not_level_is_refused_with_a_way_out(self):
+        for changed, said, way_out in (
+            ({"gas_velocity_in_time": "{{0x0p+0, 0x1p+0}, {0x1p+0, 0x1p+1}}"}, "bulk_velocity in time", "a number"),
+            ({"gas_compressible": True}, "compressible = true", "leave [gas] compressible out"),
+            ({"gravity": (0.0, -8.5, -4.9)}, "an inclined pipe", "[0, -g, 0]"),
+        ):
+            self.assertIn(said, refusal(case_of("plug_u24", **changed)))
+            self.assertIn(way_out, refusal(case_of("plug_u24", **changed)))
+        self.assertIsNone(refusal(case_of("plug_u24")))
+        self.assertIsNone(refusal(case_of("plug_u24", particle_count=1, gravity=(0.0, 0.0, -9.81))))
+
 
 class Scenes(unittest.TestCase):
     def test_every_shipped_case_is_exported_or_refused_as_the_readme_says(self):

@@ -19,6 +19,8 @@ std::string header_of(const std::string& text) {
   if (report.text().size() > longest_report) return "a report longer than anybody reads";
   if (report.errors() > 0) return report.first_error().empty() ? "an error without a message" : "";
   const std::string advice = casegen::advise_time_step(reading, "fuzz", report);
+  casegen::advise_gas(reading, report);
+  casegen::advise_feed(reading, report);
   return casegen::write_header(reading.values, {"fuzz.toml", "fuzz", 0}) + advice;
 }
 

@@ -18,7 +18,7 @@ for target in "$@"; do
   if [[ $target == case ]]; then
     seeds+=(cases)
     sed -n 's/^| `\([a-z_]*\)`.*/"\1"/p' cases/README.md | sort -u >"$own/dictionary"
-    printf '"%s"\n' particles species sizes material contact pipe gas start particle run capacity output '[' ']' '[[' ']]' ' = ' '\x0a' \
+    printf '"%s"\n' particles species sizes material contact pipe feed gas start particle run capacity output probe '[' ']' '[[' ']]' ' = ' '\x0a' '[[0, 1], [2, 3]]' \
       inf nan 1e-300 1e300 5e-324 true '\"\"\"' >>"$own/dictionary"
     options=(-max_len=65536 -dict="$own/dictionary")
   fi

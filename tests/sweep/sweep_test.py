@@ -79,6 +79,16 @@ class Points(WithPlan):
         self.assertEqual(plan.jobs[job.start].options, ["--seed", "2"])
         self.assertEqual(plan.cases[job.program]["start"]["from"], "fill_1000-count_500")
 
+    def test_values_may_be_tables_in_time_and_the_capacity_of_a_line_is_its_own(self):
+        plan = self.plan(
+            'base = "line_10mm"\n[vary]\ngas.bulk_velocity = [2.4, [[0.0, 1.5], [5.0, 3.0]]]\n'
+            '[set]\nstart.from = "fill_1000"\nparticles.capacity = 3000'
+        )
+        self.assertEqual([name for _, name in plan.points], [f"line_10mm-bulk_velocity_{u}" for u in ("2p4", "0_1p5_5_3")])
+        line = plan.cases["line_10mm-bulk_velocity_0_1p5_5_3"]
+        self.assertEqual((line["gas"]["bulk_velocity"], line["particles"]["capacity"]), ([[0.0, 1.5], [5.0, 3.0]], 3000))
+        self.assertNotIn("capacity", plan.cases["fill_1000"]["particles"])
+
     def test_the_case_that_it_starts_from_may_be_a_path(self):
         plan = self.plan(PLUG + '[set]\nstart.from = "../cases/fill_1000.toml"\n[vary]\nstart.seed = [1, 2]')
         self.assertEqual(plan.jobs["plug_u24-seed_2"].start, "fill_1000-seed_2")

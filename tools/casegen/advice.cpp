@@ -40,10 +40,10 @@ struct Kind {
 };
 
 std::vector<Kind> kinds_of(const CaseValues& v) {
-  if (!v.has_sizes()) return {{"", v.diameter, v.density, v.count == 1}};
+  if (!v.has_sizes()) return {{"", v.diameter, v.density, v.most_present() == 1}};
   std::vector<Kind> kinds;
   for (const auto& species : v.species)
-    kinds.push_back({species.name, species.diameter, species.density, species.count == 1});
+    kinds.push_back({species.name, species.diameter, species.density, species.count == 1 && !v.is_line()});
   if (kinds.empty()) kinds.push_back({"smallest", figures_of(v).smallest, v.density, false});
   return kinds;
 }

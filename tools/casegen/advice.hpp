@@ -1,4 +1,4 @@
-// What a valid case had better choose otherwise: its time step, its precision.
+// What a valid case had better choose otherwise: its time step, its precision, its model of the gas, its feed.
 #pragma once
 
 #include <string>
@@ -13,5 +13,11 @@ std::string advise_time_step(const Reading& reading, const std::string& name, Re
 
 /// Warns where mixed precision does not pay.
 void advise_precision(const Reading& reading, Report& report);
+
+/// Warns where the gas changes along the pipe more than its model knows of.
+void advise_gas(const Reading& reading, Report& report);
+
+/// Warns of a feed that asks for more than it can take, and of a line that stays empty.
+void advise_feed(const Reading& reading, Report& report);
 
 }  // namespace fixdem::casegen

@@ -1,5 +1,5 @@
 // Keys that say something only with a certain choice of another key: of the normal law, of the start, of what gives
-// the particles' sizes.
+// the particles' sizes; of the gas.
 #include <fmt/format.h>
 
 #include "checks.hpp"
@@ -28,20 +28,45 @@ bool choice_is_known(When when, const Reading& reading) {
     case When::size_lognormal:
     case When::size_table:
       return reading.usable({"particles.sizes.distribution"}) && reading.tables.contains("particles.sizes");
+    case When::line:
+      return reading.usable({"pipe.ends"});
+    case When::velocity_given:
+      return reading.usable({"gas.inlet_pressure", "gas.blower_flow", "gas.blower_pressure"}) &&
+             (reading.values.gas_compressible || applies(when, reading.values));  // otherwise they are refused
+    case When::incompressible:
+    case When::compressible:
+      return reading.usable({"gas.compressible"});
   }
   return false;
 }
 
+/// What stands in place of a key that is given beside it, and why; empty where a key only lacks the choice it needs.
+struct Instead {
+  std::string other, advice;
+};
+
+Instead instead_of(When when, const CaseValues& v) {
+  switch (when) {
+    case When::no_species:
+      return {"[[particles.species]]", "remove it: it is the sum of the species' counts"};
+    case When::one_size:
+      if (v.has_species) return {"[[particles.species]]", "remove it: each species has its own"};
+      return {"[particles.sizes]", "remove it: the distribution gives the diameters"};
+    case When::velocity_given:
+      return {v.has_blower() ? "a blower" : "inlet_pressure", "remove it: the gas flows as it is driven"};
+    case When::incompressible:
+      return {"compressible = true", "remove it: it follows from outlet_pressure, temperature and gas_constant"};
+    default:
+      return {};
+  }
+}
+
 void refuse(const Key& key, const std::string& name, const Reading& reading, Report& report) {
-  const CaseValues& v = reading.values;
   const std::string quoted = reading.quote(name);
-  if (key.when == When::no_species || key.when == When::one_size)
-    report.error(reading.given.at(name).key,
-                 fmt::format("{} together with {}; allowed: one of them", quoted,
-                             v.has_species ? "[[particles.species]]" : "[particles.sizes]"),
-                 key.when == When::no_species ? "remove it: it is the sum of the species' counts"
-                 : v.has_species              ? "remove it: each species has its own"
-                                              : "remove it: the distribution gives the diameters");
+  const auto [other, advice] = instead_of(key.when, reading.values);
+  if (!other.empty())
+    report.error(reading.given.at(name).key, fmt::format("{} together with {}; allowed: one of them", quoted, other),
+                 advice);
   else
     report.error(reading.given.at(name).key,
                  fmt::format("{} is not used here; allowed: only with {}", quoted, describe(key.when)),

@@ -75,7 +75,9 @@ void take_distribution(Reading& reading, Report& report) {
     is_usable = false;
   }
   if (!is_usable || !check_distribution(reading, report)) return mark_sizes_unknown(reading);
-  for (const double diameter : distributed_diameters(v)) add_run(v.sizes, 1, diameter, v.density, 0);
+  for (const double diameter : distributed_diameters(v, v.count)) add_run(v.sizes, 1, diameter, v.density, 0);
+  for (const double diameter : distributed_diameters(v, v.is_line() ? kinds_of_distribution : 0))
+    add_run(v.sizes, 1, diameter, v.density, 0);
   reading.largest_key = v.size_distribution == "table" ? "particles.sizes.diameters" : "particles.sizes.maximum";
 }
 

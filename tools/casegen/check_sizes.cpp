@@ -19,8 +19,26 @@ void make_equal(CaseValues& v) {
   v.density = v.sizes[0].density;
   v.sizes.clear();
   v.species.clear();
+  v.feed_mixture.clear();
   v.has_species = v.has_distribution = false;
   for (auto& particle : v.placed) particle.species.clear();
+}
+
+/// None of a kind only where they are fed.
+void check_counts(Reading& reading, Report& report) {
+  const CaseValues& v = reading.values;
+  if (v.is_line() || !reading.usable({"pipe.ends"})) return;
+  const auto check = [&](const std::string& key, std::int64_t count) {
+    if (count > 0 || !reading.has(key) || !reading.usable({key})) return;
+    report.error(
+        reading.place(key),
+        fmt::format("{}; allowed: 1 to {}, and 0 with [pipe] ends = \"open\"", reading.quote(key), most_particles),
+        "an open pipe is fed; any other holds what is there at the start");
+    reading.unusable.insert(key);
+  };
+  check("particles.count", v.count);
+  for (std::size_t k = 0; k < v.species.size(); ++k)
+    check(fmt::format("particles.species.{}.count", k), v.species[k].count);
 }
 
 /// Species of placed particles where there are no species.
@@ -32,9 +50,11 @@ void refuse_species_of_placed(const Reading& reading, Report& report) {
                    "remove it, which would do nothing, or give [[particles.species]]");
 }
 
-/// Of many runs one of each particle: the kernel then finds a particle's by its number (kernel/sizes.hpp).
-void make_single(std::vector<SizeRun>& runs) {
-  if (runs.size() <= most_species) return;
+/// Of many runs one of each particle: the kernel then finds a particle's by its number (kernel/sizes.hpp). Species that
+/// are fed stay runs, whose counts are probabilities and may be large.
+void make_single(CaseValues& v) {
+  std::vector<SizeRun>& runs = v.sizes;
+  if (runs.size() <= most_species || (v.is_line() && v.has_species)) return;
   std::vector<SizeRun> single;
   for (SizeRun run : runs) {
     const auto count = static_cast<std::size_t>(run.count);
@@ -80,6 +100,7 @@ std::string placed_species_key(std::size_t particle) { return fmt::format("start
 
 void add_run(std::vector<SizeRun>& runs, std::int64_t count, double diameter, double density, std::size_t species) {
   const auto number = static_cast<int>(species);
+  if (count == 0) return;
   if (!runs.empty() && runs.back().diameter == diameter && runs.back().density == density &&
       runs.back().species == number)
     runs.back().count += static_cast<int>(count);
@@ -89,6 +110,7 @@ void add_run(std::vector<SizeRun>& runs, std::int64_t count, double diameter, do
 
 void check_sizes(Reading& reading, Report& report) {
   CaseValues& v = reading.values;
+  check_counts(reading, report);
   if (!v.has_species) refuse_species_of_placed(reading, report);
   if (v.has_species && v.has_distribution) {
     report.error(reading.tables["particles.sizes"],
@@ -102,7 +124,7 @@ void check_sizes(Reading& reading, Report& report) {
   }
   check_ratio(reading, report);
   make_equal(v);
-  make_single(v.sizes);
+  make_single(v);
   check_neighbours(reading, report);
 }
 

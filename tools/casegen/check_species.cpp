@@ -163,11 +163,15 @@ void take_species(Reading& reading, Report& report) {
 
   if (reading.tables.contains("start.particle")) {
     const std::vector<std::size_t> placed = placed_species(reading, report);
-    if (placed.empty()) return mark_sizes_unknown(reading);
+    if (placed.empty() && v.count > 0) return mark_sizes_unknown(reading);
     for (const std::size_t k : placed) add_run(v.sizes, 1, v.species[k].diameter, v.species[k].density, k);
   } else {
     for (std::size_t k = 0; k < number; ++k)
       add_run(v.sizes, v.species[k].count, v.species[k].diameter, v.species[k].density, k);
+  }
+  if (v.is_line() && !add_fed_species(reading, report)) {
+    v.sizes.clear();
+    mark_sizes_unknown(reading);
   }
 }
 

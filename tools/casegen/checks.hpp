@@ -1,8 +1,8 @@
 // What the keys of a case must satisfy together. Each check points at one key and says what to change.
 //
-// Order: keys that apply, sizes, conditions, times, then `complete`, then geometry, placed particles, then the
-// predecessor. A check is left out when one of the keys it needs was missing or refused, so that one mistake gives one
-// message.
+// Order: keys that apply, sizes, conditions, times, then `complete`, then the line, geometry, placed particles, then
+// the predecessor. A check is left out when one of the keys it needs was missing or refused, so that one mistake gives
+// one message.
 #pragma once
 
 #include <string>
@@ -21,6 +21,12 @@ void check_sizes(Reading& reading, Report& report);
 /// Keys that need or exclude one another: contact law, start, gas, intervals.
 void check_conditions(Reading& reading, Report& report);
 
+/// The gas: what its keys and the pipe must satisfy together. Part of check_conditions, once gravity is known.
+void check_gas(const Reading& reading, Report& report);
+
+/// An open pipe has a feed, another one none. Part of check_conditions.
+void check_feed_table(const Reading& reading, Report& report);
+
 /// Fills in the defaults that follow from other keys. Needs no valid case: what is unknown stays 0.
 void complete(Reading& reading);
 
@@ -29,6 +35,9 @@ void check_times(const Reading& reading, Report& report);
 
 /// Pipe, slices, solids fraction and tiles.
 void check_geometry(const Reading& reading, Report& report);
+
+/// A line: room for its particles, feed section; and stations along any pipe.
+void check_line(Reading& reading, Report& report);
 
 /// Particles placed one by one.
 void check_placed(const Reading& reading, Report& report);

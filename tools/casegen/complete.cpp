@@ -5,9 +5,14 @@
 //
 // slice_count is the nearest whole number of pipe length / slice length, at least 1 (without gas the slices only
 // measure solids fractions and are one diameter long). The reference speed is the largest of the start velocities,
-// the gas velocity and the speed of a fall through the pipe's diameter, sqrt(2 g D).
+// the gas velocity, that of the feed and the speed of a fall through the pipe's diameter, sqrt(2 g D).
+//
+// A line has room for what its pipe can hold.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "checks.hpp"
 #include "sizes.hpp"
@@ -20,9 +25,24 @@ double length_of(const Vector3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] 
 double expected_speed(const CaseValues& v) {
   double speed = std::sqrt(2 * length_of(v.gravity) * v.pipe_diameter);
   speed = std::max(speed, std::sqrt(3.0) * v.start_velocity);  // per component
-  speed = std::max(speed, std::abs(v.gas_velocity));
+  for (const auto& [time, velocity] : v.gas_velocity) speed = std::max(speed, std::abs(velocity));
+  if (v.pipe_diameter > 0)
+    speed = std::max(speed, v.gas_blower_flow / (std::numbers::pi / 4 * v.pipe_diameter * v.pipe_diameter));
+  if (v.is_line()) speed = std::max(speed, v.feed_velocity);
   for (const auto& particle : v.placed) speed = std::max(speed, length_of(particle.velocity));
   return speed;
+}
+
+/// Room for what the pipe can hold, and a feed section that lies within it.
+void complete_line(Reading& reading, const SizeFigures& sizes) {
+  CaseValues& v = reading.values;
+  if (!v.is_line()) return;
+  if (!reading.has("particles.capacity")) {
+    constexpr double beyond = 1e9;  // where a diameter is not known; refused
+    const double most = most_in_pipe(v, sizes.mean_volume);
+    v.capacity = std::max(v.count, static_cast<std::int64_t>(most < beyond ? most : beyond));
+  }
+  if (!reading.has("feed.length")) v.feed_length = std::min(std::max(0.1, 10 * sizes.largest), v.pipe_length);
 }
 
 }  // namespace
@@ -44,6 +64,14 @@ void complete(Reading& reading) {
     const double slices = std::clamp(std::round(v.pipe_length / v.gas_slice_length), 1.0, 1e9);
     v.slice_count = static_cast<std::int64_t>(slices);
   }
+  complete_line(reading, sizes);
+  if (v.gas_compressible) {
+    v.gas_density = v.gas_outlet_pressure / (v.gas_constant * v.gas_temperature);
+    v.gas_storage =
+        v.gas_storage || reading.has("gas.supply_volume") || reading.has("gas.inlet_pressure") || v.has_blower();
+  }
+  for (std::size_t k = 0; k < v.probes.size(); ++k)
+    if (!reading.has(fmt::format("probe.{}.interval", k))) v.probes[k].interval = v.sample_interval;
   if (!reading.has("run.reference_speed")) v.reference_speed = expected_speed(v);
   if (!reading.has("output.log_interval")) v.log_interval = v.duration / 50;
 }

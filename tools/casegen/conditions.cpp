@@ -1,12 +1,13 @@
 // Keys that need or exclude one another.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "checks.hpp"
-#include "kernel/case.hpp"
 #include "schema.hpp"
+#include "size_distribution.hpp"
 
 namespace fixdem::casegen {
 namespace {
@@ -45,18 +46,21 @@ void check_start(Reading& reading, Report& report) {
                  fmt::format("set count = {}, or place {} particles", count, reading.values.count));
 }
 
-/// The gas passes between the bed and the top of the pipe, +y (kernel/gas_slices.hpp); one particle makes no bed as
-/// long as it does not lie on the wall elsewhere than at the bottom.
-void check_gas_gravity(const Reading& reading, Report& report) {
-  const CaseValues& v = reading.values;
-  if (!v.has_gas || !reading.usable({"run.gravity", "particles.count"})) return;
-  const bool has_bed = v.count > 1;
-  if (gas_takes_gravity(v.gravity.data(), has_bed)) return;
-  report.error(reading.place("run.gravity"),
-               fmt::format("{} with a [gas] table; allowed: [0, -g, 0]{}", reading.quote("run.gravity"),
-                           has_bed ? "" : ", for one particle also with a component along z, and zero"),
-               "the gas model takes the height of the bed along y, so the bed must lie at the bottom of a horizontal "
-               "pipe: turn gravity to -y, or remove [gas]");
+/// Gravity is given as it is, or by the inclination of the pipe.
+void take_inclination(Reading& reading, Report& report) {
+  CaseValues& v = reading.values;
+  const char *inclination = "pipe.inclination", *gravity = "run.gravity";
+  if (!reading.has(inclination) || !reading.usable({inclination})) return;
+  if (reading.has(gravity)) {
+    report.error(reading.given.at(gravity).key,
+                 fmt::format("{} together with [pipe] inclination; allowed: one of them", reading.quote(gravity)),
+                 "remove it: inclination sets gravity, 9.81 m/s2 downwards");
+    reading.unusable.insert(gravity);
+  } else if (v.inclination != 0) {
+    const double g = -v.gravity[1], angle = v.inclination * std::numbers::pi / 180;
+    const bool is_upright = std::abs(v.inclination) == 90;
+    v.gravity = {0, is_upright ? 0 : to_ten_digits(-g * std::cos(angle)), to_ten_digits(-g * std::sin(angle))};
+  }
 }
 
 /// What is said of walls where there are none, and of friction where there is none.
@@ -113,7 +117,7 @@ void check_rolling(const Reading& reading, Report& report) {
   check("wall_rolling_friction", of_wall.wall_rolling_friction, "wall_friction", of_wall.wall_friction);
 }
 
-void check_law_and_gas(const Reading& reading, Report& report) {
+void check_law(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
   if (v.damping == "critical" && v.normal == "hertz" && reading.usable({"contact.normal"}))
     report.error(reading.place("contact.damping"),
@@ -129,10 +133,6 @@ void check_law_and_gas(const Reading& reading, Report& report) {
         reading.place("contact.slider"),
         "[contact] slider = \"paper\" with integrator = \"impulse\"; allowed: \"exact\", \"clip\"",
         "use slider = \"exact\"; with \"paper\" impacts do not converge, and another integrator gains nothing");
-  if (v.has_gas && !v.wall && reading.usable({"pipe.wall"}))
-    report.error(reading.place("pipe.wall"), "[pipe] wall = false with a [gas] table; allowed: true",
-                 "the gas model needs the pipe wall: set wall = true, or remove [gas]");
-  check_gas_gravity(reading, report);
 }
 
 }  // namespace
@@ -141,7 +141,10 @@ void check_conditions(Reading& reading, Report& report) {
   check_start(reading, report);
   check_walls_and_friction(reading, report);
   check_rolling(reading, report);
-  check_law_and_gas(reading, report);
+  check_law(reading, report);
+  take_inclination(reading, report);
+  check_gas(reading, report);
+  check_feed_table(reading, report);
 }
 
 }  // namespace fixdem::casegen

@@ -31,11 +31,12 @@ void check_pipe(const Reading& reading, Report& report) {
                  fmt::format("{} is wider than the pipe; allowed: below [pipe] diameter = {}",
                              reading.quote(reading.largest_key), v.pipe_diameter),
                  fmt::format("lower {} or raise [pipe] diameter", lower));
-  const double shortest = (v.ends == "periodic" ? 4 : 2) * largest;
+  const int shortest_in_diameters = v.ends == "closed" ? 2 : 4;
+  const double shortest = shortest_in_diameters * largest;
   if (v.pipe_length < shortest) {
     report.error(reading.place("pipe.length"),
                  fmt::format("{} is too short; allowed with ends = \"{}\": at least {} {}particle diameters = {:.6g}",
-                             reading.quote("pipe.length"), v.ends, v.ends == "periodic" ? 4 : 2, kind, shortest),
+                             reading.quote("pipe.length"), v.ends, shortest_in_diameters, kind, shortest),
                  fmt::format("raise [pipe] length or lower {}", lower));
     return;
   }
@@ -59,14 +60,15 @@ void check_solids_fraction(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
   if (!reading.usable({"particles.count", "particles.diameter", "pipe.diameter", "pipe.length"})) return;
   const SizeFigures sizes = figures_of(v);
-  if (sizes.largest >= v.pipe_diameter) return;  // reported already
+  const double volume = volume_at_start(v);
+  if (sizes.largest >= v.pipe_diameter || volume == 0) return;  // reported already; there are none
   const double pipe = std::numbers::pi / 4 * v.pipe_diameter * v.pipe_diameter * v.pipe_length;
-  const double fraction = sizes.volume / pipe;
+  const double fraction = volume / pipe;
   const auto exceeds = [&](double limit) { return fraction > limit * (1 + 1e-12); };  // no whole number by rounding
   const auto allowed = [&](double limit) {
     std::string words = fmt::format("at most {:.2f}", limit);
     if (v.has_sizes()) return words;
-    const double most = limit * pipe / sizes.volume * static_cast<double>(v.count) * (1 + 1e-12);
+    const double most = limit * pipe / volume * static_cast<double>(v.count) * (1 + 1e-12);
     const auto fitting = most < 9e18 ? static_cast<std::int64_t>(most) : std::numeric_limits<std::int64_t>::max();
     return words + fmt::format(", that is {} particles", fitting);
   };
@@ -86,33 +88,36 @@ void check_solids_fraction(const Reading& reading, Report& report) {
 /// The diameter that the kernel divides the pipe by (kernel/capacity.hpp).
 double diameter_for_chunks(const CaseValues& v) {
   const SizeFigures sizes = figures_of(v);
-  return v.has_sizes() ? fixdem::diameter_for_chunks(sizes.volume / static_cast<double>(v.count), sizes.largest)
-                       : v.diameter;
+  return v.has_sizes() ? fixdem::diameter_for_chunks(sizes.mean_volume, sizes.largest) : v.diameter;
 }
 
 /// The kernel works on slices of the pipe a little longer than a particle, and their size is limited.
 void check_slice(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
-  if (!reading.usable({"particles.count", "particles.diameter", "pipe.diameter"})) return;
+  if (!reading.usable({"particles.count", "particles.capacity", "particles.diameter", "pipe.diameter"})) return;
   const double diameter = diameter_for_chunks(v);
-  if (particles_per_chunk(static_cast<int>(v.count), v.pipe_diameter, diameter) <= largest_chunk) return;
+  const auto most = static_cast<int>(v.most_present());
+  if (particles_per_chunk(most, v.pipe_diameter, diameter) <= largest_chunk) return;
   double widest = v.pipe_diameter;
-  while (particles_per_chunk(static_cast<int>(v.count), widest, diameter) > largest_chunk) widest *= 0.99;
+  while (particles_per_chunk(most, widest, diameter) > largest_chunk) widest *= 0.99;
   report.error(
       reading.place("pipe.diameter"),
       fmt::format("{} is {:.0f} particles wide, and a slice of it may hold more than {} of them; allowed with "
                   "more than {} particles: at most {:.3g} m",
                   reading.quote("pipe.diameter"), v.pipe_diameter / diameter, largest_chunk, largest_chunk, widest),
-      fmt::format("lower [pipe] diameter, or [particles] count to {} or less", largest_chunk));
+      fmt::format("lower [pipe] diameter, or [particles] {} to {} or less", v.is_line() ? "capacity" : "count",
+                  largest_chunk));
 }
 
 /// A tile needs a pipe of many chunks (kernel/tiles.hpp).
 void check_tiles(const Reading& reading, Report& report) {
   const CaseValues& v = reading.values;
   if (!reading.has("capacity.tile_steps") || v.tile_steps <= 1) return;
-  if (!reading.usable({"capacity.tile_steps", "particles.count", "particles.diameter", "pipe.diameter"})) return;
+  if (!reading.usable(
+          {"capacity.tile_steps", "particles.count", "particles.capacity", "particles.diameter", "pipe.diameter"}))
+    return;
   if (figures_of(v).largest >= v.pipe_diameter) return;  // reported already
-  const auto count = static_cast<int>(v.count);
+  const auto count = static_cast<int>(v.most_present());
   const int size = particles_per_chunk(count, v.pipe_diameter, diameter_for_chunks(v)),
             chunks = (count + size - 1) / size;
   auto maximum = v.tile_steps;
@@ -121,7 +126,7 @@ void check_tiles(const Reading& reading, Report& report) {
     report.error(reading.place("capacity.tile_steps"),
                  fmt::format("{} needs {} chunks of {} particles, and {} particles fill {}; allowed: {}",
                              reading.quote("capacity.tile_steps"), chunks_for_tile(static_cast<int>(v.tile_steps)),
-                             size, v.count, chunks, maximum == 1 ? "1" : fmt::format("1 to {}", maximum)),
+                             size, count, chunks, maximum == 1 ? "1" : fmt::format("1 to {}", maximum)),
                  "leave tile_steps out, and the kernel chooses: tiles are for pipes that the cache does not hold");
 }
 

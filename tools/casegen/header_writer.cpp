@@ -12,29 +12,12 @@
 #include <set>
 
 #include "checks.hpp"
+#include "header_members.hpp"
 #include "schema.hpp"
 #include "sizes.hpp"
 
 namespace fixdem::casegen {
 namespace {
-
-std::string exact(double value) { return std::isinf(value) ? "__builtin_inf()" : fmt::format("{:a}", value); }
-
-std::string exact(const Vector3& v) { return fmt::format("{{{}, {}, {}}}", exact(v[0]), exact(v[1]), exact(v[2])); }
-
-/// A C++ string literal; UTF-8 passes through, control characters become octal escapes.
-std::string literal(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      result += fmt::format("\\{}", c);
-    else if (static_cast<unsigned char>(c) < 32 || c == 127)
-      result += fmt::format("\\{:03o}", static_cast<unsigned>(c));
-    else
-      result += c;
-  }
-  return result + '"';
-}
 
 /// For comments: a backslash or a line break in a path would change the meaning of the next line.
 std::string one_line(std::string text) {
@@ -43,39 +26,12 @@ std::string one_line(std::string text) {
   return text;
 }
 
-/// Collects lines of the form `static constexpr type name = value;  // comment`.
-class Members {
- public:
-  void real(const char* name, double value, const char* unit) {
-    add("double", name, exact(value), fmt::format("{}{}{}", value, *unit != '\0' ? " " : "", unit));
-  }
-  void vector(const char* name, const Vector3& v, const char* unit) {
-    add("double", fmt::format("{}[3]", name), exact(v), fmt::format("{}, {}, {} {}", v[0], v[1], v[2], unit));
-  }
-  void whole(const char* name, std::int64_t value) { add("int", name, fmt::format("{}", value), ""); }
-  void flag(const char* name, bool value) { add("bool", name, value ? "true" : "false", ""); }
-  void text(const char* name, const std::string& value) { add("const char*", name, literal(value), ""); }
-  void choice(const char* type, const char* name, const std::string& value) {
-    add(type, name, fmt::format("{}::{}", type, value), "");
-  }
-  void add(const char* type, const std::string& name, const std::string& value, const std::string& comment) {
-    fmt::format_to(std::back_inserter(text_), "  static constexpr {} {} = {};{}{}\n", type, name, value,
-                   comment.empty() ? "" : "  // ", comment);
-  }
-  void heading(const char* words) { fmt::format_to(std::back_inserter(text_), "\n  // {}\n", words); }
-  const std::string& str() const { return text_; }
-
- private:
-  std::string text_;
-};
-
-/// The same case where it says nothing of the keys that are in a header only if they say something.
-CaseValues silent_of(CaseValues values) {
-  values.wall_rolling_friction = values.default_wall_rolling_friction();  // with the friction that the wall has
-  values.wall_friction = values.default_wall_friction(), values.wall_restitution = values.default_wall_restitution();
-  values.rolling_friction = 0;
-  values.friction_limit = "total";
-  return values;
+/// What keys that are in a header only if they say something have where they say nothing.
+CaseValues silent_of(const CaseValues& values) {
+  CaseValues silent;
+  silent.wall_rolling_friction = values.default_wall_rolling_friction();  // with the friction that the wall has
+  silent.wall_friction = values.default_wall_friction(), silent.wall_restitution = values.default_wall_restitution();
+  return silent;
 }
 
 /// Diameter and density of equal spheres; of several sizes those of all particles, by number.
@@ -89,7 +45,7 @@ void write_sizes(Members& members, const CaseValues& v) {
   members.real("largest_diameter", sizes.largest, "m");
   members.real("smallest_diameter", sizes.smallest, "m");
   members.real("reference_density", sizes.reference_density, "kg/m3, of the heaviest of the largest");
-  members.real("mean_volume", sizes.volume / static_cast<double>(v.count), "m3");
+  members.real("mean_volume", sizes.mean_volume, "m3");
   members.whole("species_count", static_cast<std::int64_t>(v.species.size()));
   if (!v.species.empty()) {
     std::string names;
@@ -100,12 +56,14 @@ void write_sizes(Members& members, const CaseValues& v) {
   for (const auto& [count, diameter, density, species] : v.sizes)
     fmt::format_to(std::back_inserter(list), "\n      {{{}, {:a}, {:a}, {}}},", count, diameter, density, species);
   members.add("SizeRun", "sizes[]", "{" + fmt::to_string(list) + "\n  }", "count, diameter, density, species");
+  if (v.is_line()) members.whole("first_fed_kind", v.count);
 }
 
 void write_physics(Members& members, const CaseValues& v) {
   const CaseValues silent = silent_of(v);
   members.heading("particles and material");
-  members.whole("particle_count", v.count);
+  members.whole("particle_count", v.most_present());
+  write_start_count(members, v);
   write_sizes(members, v);
   members.real("youngs_modulus", v.youngs_modulus, "Pa");
   members.real("poisson_ratio", v.poisson_ratio, "");
@@ -134,10 +92,11 @@ void write_physics(Members& members, const CaseValues& v) {
   members.real("pipe_length", v.pipe_length, "m");
   members.choice("Ends", "ends", v.ends);
   members.flag("has_wall", v.wall);
+  write_feed(members, v);
 
   members.heading("gas");
   members.flag("has_gas", v.has_gas);
-  members.real("gas_velocity", v.gas_velocity, "m/s, superficial");
+  members.real("gas_velocity", v.gas_velocity.front().value, "m/s, superficial");
   members.real("gas_density", v.gas_density, "kg/m3");
   members.real("gas_viscosity", v.gas_viscosity, "m2/s, kinematic");
   members.real("gas_bed_diameter", v.gas_bed_diameter, "m");
@@ -145,6 +104,7 @@ void write_physics(Members& members, const CaseValues& v) {
   members.whole("gas_floater_interval", v.has_gas ? v.gas_floater_interval : 1);
   members.choice("BedHeight", "gas_bed_height", v.gas_bed_height);
   members.whole("slice_count", v.slice_count);
+  write_gas_beyond(members, v);
 
   members.heading("step");
   members.vector("gravity", v.gravity, "m/s2");
@@ -171,7 +131,7 @@ void write_program(Members& members, const CaseValues& v) {
   members.real("overlap_warning", v.overlap_warning, "radii");
   members.real("stability_limit", v.stability_limit, "stable steps");
   members.choice("StartKind", "start", !v.start_from.empty() ? "from" : v.placed.empty() ? "random" : "placed");
-  members.add("unsigned long long", "seed", fmt::format("{}ULL", v.seed), "");
+  members.seed("seed", v.seed);
   members.real("start_velocity", v.start_velocity, "m/s, largest component");
   members.flag("start_keeps_motion", v.start_motion == "keep");
   members.text("start_from", predecessor_name(v.start_from));
@@ -181,12 +141,14 @@ void write_program(Members& members, const CaseValues& v) {
     list += fmt::format("\n      {{{}, {}, {}}},", exact(particle.position), exact(particle.velocity),
                         exact(particle.angular_velocity));
   members.add("Placed", "placed[]", list.empty() ? "{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}" : "{" + list + "\n  }", "");
+  write_watching(members, v);
 }
 
 /// Whether a key belongs into the list of all: it is used, and it says something where another would leave it out.
 bool says_something(const Rule<CaseValues>& rule, const CaseValues& values, const CaseValues& silent) {
   if (rule.table == "particles.sizes") return values.has_distribution && applies(rule.when, values);
-  if (rule.table == "particles" && !applies(rule.when, values)) return false;
+  if ((rule.table == "particles" || rule.table == "gas") && !applies(rule.when, values)) return false;
+  if (rule.table == "feed" && !values.is_line()) return false;
   if (rule.when == When::species_default && values.has_species) return false;  // each has it
   return !rule.only_if_it_says_something || rule.value_in(values) != rule.value_in(silent);
 }
@@ -206,6 +168,9 @@ std::string key_values(const CaseValues& values) {
     for (const Rule<PlacedParticle>& rule : placed_keys())
       if (!rule.only_if_it_says_something || rule.value_in(values.placed[k]) != rule.value_in(PlacedParticle{}))
         text += fmt::format("[[start.particle]] {} {} = {}\n", k, rule.name, rule.value_in(values.placed[k]));
+  for (std::size_t k = 0; k < values.probes.size(); ++k)
+    for (const Rule<Probe>& rule : probe_keys())
+      text += fmt::format("[[probe]] {} {} = {}\n", k, rule.name, rule.value_in(values.probes[k]));
   return text;
 }
 
@@ -236,7 +201,11 @@ bool is_reserved(const std::string& name) {
       // members that only some headers have
       "tile_steps", "memory_budget", "wall_friction", "wall_restitution", "friction_limit", "FrictionLimit",
       "rolling_friction", "wall_rolling_friction", "largest_diameter", "smallest_diameter", "reference_density",
-      "mean_volume", "species_count", "species_names", "sizes", "SizeRun"};
+      "mean_volume", "species_count", "species_names", "sizes", "SizeRun", "first_fed_kind", "start_count", "feed_rate",
+      "feed_start", "feed_length", "feed_velocity", "feed_seed", "feed_interval", "TimeValue", "gas_velocity_in_time",
+      "gas_full_gap", "gas_compressible", "gas_outlet_pressure", "gas_temperature", "gas_constant", "gas_storage",
+      "gas_supply_volume", "gas_inlet_pressure", "gas_blower_flow", "gas_blower_pressure", "slice_interval",
+      "contact_interval", "statistics_from", "probe_count", "probes", "Probe"};
   if (words.contains(name)) return true;
   static const std::string members = write_members({}, {});
   const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };

@@ -25,6 +25,14 @@ std::string row(const Rule<Record>& rule) {
                      cell(rule.allowed()), rule.plausible(), cell(need), cell(rule.meaning));
 }
 
+template <class Record>
+std::string rows(std::span<const Rule<Record>> rules, std::string_view table) {
+  std::string text;
+  for (const auto& rule : rules)
+    if (rule.table == table) text += row(rule);
+  return text;
+}
+
 constexpr const char* heading =
     "| key | type | unit | allowed | plausible | default | meaning |\n|---|---|---|---|---|---|---|\n";
 
@@ -32,18 +40,11 @@ constexpr const char* heading =
 
 std::string key_table_markdown() {
   std::string text = "At the top of the file:\n\n";
-  text += heading;
-  for (const auto& rule : case_keys())
-    if (rule.table.empty()) text += row(rule);
-  for (const auto& table : tables()) {
-    fmt::format_to(std::back_inserter(text), "\n`{}`{}: {}\n\n{}", table_title(table.name),
-                   table.required ? "" : " (optional)", table.meaning, heading);
-    for (const auto& rule : case_keys())
-      if (rule.table == table.name) text += row(rule);
-    for (const auto& rule : species_keys())
-      if (rule.table == table.name) text += row(rule);
-    for (const auto& rule : placed_keys())
-      if (rule.table == table.name) text += row(rule);
+  text += heading + rows(case_keys(), "");
+  for (const auto& [name, required, meaning, is_list] : tables()) {
+    fmt::format_to(std::back_inserter(text), "\n`{}`{}: {}\n\n{}", table_title(name), required ? "" : " (optional)",
+                   meaning, heading);
+    text += rows(case_keys(), name) + rows(species_keys(), name) + rows(placed_keys(), name) + rows(probe_keys(), name);
   }
   return text;
 }

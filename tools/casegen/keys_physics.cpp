@@ -8,18 +8,20 @@ std::vector<Rule<CaseValues>> physics_keys() {
   using Values = CaseValues;
   // Ten million particles need some ten gigabytes, and twice that while they run: a larger count is a slip of the
   // keyboard.
-  constexpr Range particle_counts = between(1, 1e7);
+  constexpr Range particle_counts = between(0, 1e7);  // none but in a line: conditions.cpp
   // Intervals are counted in `int` steps.
   constexpr Range step_intervals = between(1, 1e6);
   // Plausible: from dust to boulders, from foam to osmium, from the softest model material to diamond.
   constexpr Range sizes = between(1e-6, 0.5), densities = between(10, 25000), moduli = between(1e5, 2e12);
+  constexpr Range pressures = between(1e3, 1e7);
 
   return {
       {{"", "title", "", false, When::always, "the file's name", "one line that says what the case shows",
         "write a text in double quotes"},
        Text{&Values::title}},
 
-      {{"particles", "count", "", true, When::no_species, "without species", "number of particles",
+      {{"particles", "count", "", true, When::no_species, "without species",
+        "number of particles; in an open pipe of those at the start, which may be 0",
         "Table 2 of the paper has count = 1000"},
        Whole{&Values::count, particle_counts}},
       {{"particles", "diameter", "m", true, When::one_size, "without species and sizes", "diameter of equal spheres",
@@ -28,6 +30,11 @@ std::vector<Rule<CaseValues>> physics_keys() {
       {{"particles", "density", "kg/m3", true, When::species_default, "where species have none of their own",
         "density of the particles' material", "in kg/m3: Table 2 of the paper has density = 1000.0"},
        Real{&Values::density, positive, densities}},
+
+      {{"particles", "capacity", "", false, When::line, "what the pipe can hold, 0.64 of its volume",
+        "room for so many at once; the run stops when it is not enough",
+        "leave it out, and no number of them exceeds it"},
+       Whole{&Values::capacity, between(1, 1e7)}},
 
       {{"material", "youngs_modulus", "Pa", true, When::hertz, "", "Young's modulus of the particles",
         "in pascal: Table 2 of the paper has youngs_modulus = 3.0e9; a lower one allows a greater time step"},
@@ -109,19 +116,32 @@ std::vector<Rule<CaseValues>> physics_keys() {
         "in metres: Table 2 of the paper has length = 0.800"},
        Real{&Values::pipe_length, positive, between(1e-5, 1000)}},
       {{"pipe", "ends", "", true, When::always, "",
-        "periodic: what leaves one end enters the other; closed: flat walls",
-        "\"periodic\" for flow along the pipe, \"closed\" for a vessel"},
-       Choice{&Values::ends, {"periodic", "closed"}}},
+        "periodic: what leaves one end enters the other; closed: flat walls; open: a line, with a wall for particles "
+        "at "
+        "z = 0, where it is fed, and an outlet at z = length",
+        "\"periodic\" for flow along the pipe, \"closed\" for a vessel, \"open\" with [feed] for a line"},
+       Choice{&Values::ends, {"periodic", "closed", "open"}}},
       {{"pipe", "wall", "", false, When::always, "", "false: no pipe wall, particles may leave sideways",
         "true or false, without quotes"},
        Flag{&Values::wall}},
+      {{"pipe", "inclination", "degrees", false, When::always, "",
+        "angle of the axis above the horizontal in the direction of +z; sets gravity to 9.81 m/s2 downwards, in place "
+        "of "
+        "[run] gravity",
+        "in degrees: 0 is horizontal, 90 upwards, -90 downwards", true},
+       Real{&Values::inclination, between(-90, 90)}},
 
-      {{"gas", "bulk_velocity", "m/s", true, When::always, "", "superficial velocity U along +z",
-        "in m/s, of the empty pipe: Table 2 of the paper has 2.4 and 1.7"},
-       Real{&Values::gas_velocity, any, between(-340, 340)}},
-      {{"gas", "density", "kg/m3", true, When::always, "", "density of the gas", "in kg/m3: air has density = 1.2"},
+      {{"gas", "bulk_velocity", "m/s", true, When::velocity_given, "without inlet_pressure and blower",
+        "superficial velocity U along +z; of a compressible gas that which the supplied mass has at outlet_pressure",
+        "in m/s, of the empty pipe: Table 2 of the paper has 2.4 and 1.7; a ramp from 1.5 to 3.0 in 10 s is "
+        "[[0, 1.5], [10, 3.0]]"},
+       InTime{&Values::gas_velocity, any, between(-340, 340)}},
+      {{"gas", "density", "kg/m3", true, When::incompressible, "without compressible",
+        "density of the gas; of a compressible one it follows from its pressure and temperature",
+        "in kg/m3: air has density = 1.2"},
        Real{&Values::gas_density, positive, between(0.01, 1000)}},
-      {{"gas", "kinematic_viscosity", "m2/s", true, When::always, "", "kinematic viscosity of the gas",
+      {{"gas", "kinematic_viscosity", "m2/s", true, When::always, "",
+        "kinematic viscosity of the gas; of a compressible one at the outlet",
         "in m2/s: air has kinematic_viscosity = 1.5e-5"},
        Real{&Values::gas_viscosity, positive, between(1e-8, 0.01)}},
       {{"gas", "bed_diameter", "m", false, When::always,
@@ -139,11 +159,48 @@ std::vector<Rule<CaseValues>> physics_keys() {
         "when a slice counts as full of particles: gradually, at once, or only when it is",
         "\"continuous\" and \"hard\" carry plugs; with \"strict\" the gas leaks over every plug"},
        Choice{&Values::gas_bed_height, {"continuous", "hard", "strict"}}},
+      {{"gas", "full_gap", "m", false, When::always,
+        "the diameter of the particles; of several sizes the Sauter diameter",
+        "free height over the bed below which a slice counts as full, gradually or at once as bed_height says",
+        "in metres: leave it out for one particle diameter", true},
+       Real{&Values::gas_full_gap, positive, sizes}},
       {{"gas", "slice_length", "m", false, When::always, "the largest diameter",
         "length of a slice of the gas, from one particle diameter, the largest, to a quarter of the pipe; the nearest "
         "whole number of equal slices is used",
         "from one particle diameter to a quarter of the pipe; leave it out for one diameter"},
        Real{&Values::gas_slice_length, positive}},
+      {{"gas", "compressible", "", false, When::always, "",
+        "true: density follows the pressure along the pipe, at one temperature",
+        "true or false, without quotes; pipes of up to 5 m need none", true},
+       Flag{&Values::gas_compressible}},
+      {{"gas", "outlet_pressure", "Pa", false, When::compressible, "", "absolute pressure at the outlet",
+        "in pascal, absolute: that of the atmosphere is 101325"},
+       Real{&Values::gas_outlet_pressure, positive, pressures}},
+      {{"gas", "temperature", "K", false, When::compressible, "", "temperature of the gas",
+        "in kelvin: 20 C is 293.15"},
+       Real{&Values::gas_temperature, positive, between(100, 2000)}},
+      {{"gas", "gas_constant", "J/(kg K)", false, When::compressible, "", "specific gas constant",
+        "in J/(kg K): air has 287.06, nitrogen 296.8"},
+       Real{&Values::gas_constant, positive, between(30, 5000)}},
+      {{"gas", "storage", "", false, When::compressible, "false; true with supply_volume, inlet_pressure or a blower",
+        "true: pressure takes time to build up in the pipe and in what feeds it; false: it is steady at any moment",
+        "true or false, without quotes; beyond 10 m of pipe it matters", true},
+       Flag{&Values::gas_storage}},
+      {{"gas", "supply_volume", "m3", false, When::compressible, "", "volume of the gas supply in front of the inlet",
+        "in m3: of pipes and vessel between the valve and the inlet", true},
+       Real{&Values::gas_supply_volume, not_negative, between(0, 1000)}},
+      {{"gas", "inlet_pressure", "Pa", false, When::compressible, "none",
+        "absolute pressure at the inlet, in place of bulk_velocity", "in pascal, absolute, above outlet_pressure",
+        true},
+       Real{&Values::gas_inlet_pressure, positive, pressures}},
+      {{"gas", "blower_flow", "m3/s", false, When::compressible, "none",
+        "volume flow, at outlet_pressure, of a blower that works against none; in place of bulk_velocity",
+        "in m3/s: the velocity in the empty pipe times the area of its section", true},
+       Real{&Values::gas_blower_flow, positive, between(0, 1000)}},
+      {{"gas", "blower_pressure", "Pa", false, When::compressible, "none",
+        "pressure above outlet_pressure at which it delivers nothing; the flow falls linearly up to there",
+        "in pascal, above that at the outlet", true},
+       Real{&Values::gas_blower_pressure, positive, between(1, 1e7)}},
   };
 }
 

@@ -100,6 +100,15 @@ std::vector<Rule<CaseValues>> run_keys() {
       {{"output", "energy_ledger", "", false, When::always, "", "account for every joule dissipated and put in",
         "true or false, without quotes"},
        Flag{&Values::energy_ledger}},
+      {{"output", "slice_interval", "s", false, When::line, "",
+        "time between records of all slices along the pipe; 0: none", "in seconds; 0 writes none", true},
+       Real{&Values::slice_interval, not_negative}},
+      {{"output", "contact_interval", "s", false, When::always, "",
+        "time between records of all contacts and their forces; 0: none", "in seconds; 0 writes none", true},
+       Real{&Values::contact_interval, not_negative}},
+      {{"output", "statistics_from", "s", false, When::line, "half of the duration",
+        "when means over time begin, those of plugs among them", "in seconds: when the line has settled down", true},
+       Real{&Values::statistics_from, not_negative}},
   };
 }
 

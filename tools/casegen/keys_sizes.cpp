@@ -6,7 +6,7 @@ namespace fixdem::casegen {
 namespace {
 
 // As those of equal spheres (keys_physics.cpp).
-constexpr Range counts = between(1, 1e7), sizes = between(1e-6, 0.5), densities = between(10, 25000);
+constexpr Range counts = between(0, 1e7), sizes = between(1e-6, 0.5), densities = between(10, 25000);
 
 }  // namespace
 
@@ -15,7 +15,8 @@ std::span<const Rule<Species>> species_keys() {
       {{"particles.species", "name", "", false, When::always, "its number, from 0 on",
         "what it is called in tables and in `[[start.particle]]`", "letters, digits, _ and -: name = \"large\""},
        Name{&Species::name}},
-      {{"particles.species", "count", "", true, When::always, "", "particles of this kind",
+      {{"particles.species", "count", "", true, When::always, "",
+        "particles of this kind; in an open pipe at the start, 0 for none",
         "how many there are of this kind, for example count = 280"},
        Whole{&Species::count, counts}},
       {{"particles.species", "diameter", "m", true, When::always, "",

@@ -62,6 +62,8 @@ ExitCode run(const Options& options) {
   }
   const std::string advice = advise_time_step(reading, stem, report);
   advise_precision(reading, report);
+  advise_gas(reading, report);
+  advise_feed(reading, report);
   fmt::print(options.advice ? stdout : stderr, "{}", advice);
   report.print(stderr);
   const Source source{options.label.empty() ? options.file : options.label, stem, XXH64(text.data(), text.size(), 0)};

@@ -26,7 +26,8 @@ namespace {
 double wall_overlap(const CaseValues& v, double radius, const Vector3& x) {
   double overlap = -v.pipe_diameter;
   if (v.wall) overlap = std::hypot(x[0], x[1]) - (v.pipe_diameter / 2 - radius);
-  if (v.ends == "closed") overlap = std::max({overlap, radius - x[2], x[2] - (v.pipe_length - radius)});
+  if (v.ends == "closed" || v.is_line()) overlap = std::max(overlap, radius - x[2]);
+  if (v.ends == "closed") overlap = std::max(overlap, x[2] - (v.pipe_length - radius));
   return overlap;
 }
 
@@ -106,7 +107,8 @@ void check_placed(const Reading& reading, Report& report) {
       report.error(reading.place(spin), fmt::format("{} with friction = 0; allowed: [0, 0, 0]", reading.quote(spin)),
                    "without friction particles do not rotate: remove it, or raise [material] friction");
     if (!reading.usable({position})) continue;
-    if (particle.position[2] < 0 || particle.position[2] > v.pipe_length ||
+    const double z = particle.position[2];
+    if (z < 0 || z > v.pipe_length || (v.is_line() && z == v.pipe_length) ||  // which would leave at once
         wall_overlap(v, diameter / 2, particle.position) > limit) {
       report.error(
           reading.place(position),
@@ -114,7 +116,9 @@ void check_placed(const Reading& reading, Report& report) {
                       "walls at most {:.6g}",
                       reading.quote(position), i, v.pipe_length, limit),
           fmt::format("the centre must stay within {:.6g} m of the axis x = y = 0{}", (v.pipe_diameter - diameter) / 2,
-                      v.ends == "closed" ? ", and a radius away from the ends" : ""));
+                      v.ends == "closed" ? ", and a radius away from the ends"
+                      : v.is_line()      ? ", a radius away from z = 0 and before the outlet"
+                                         : ""));
       continue;
     }
     std::optional<std::size_t> other;

@@ -71,6 +71,15 @@ void check_same_sizes(const Reading& reading, const CaseValues& before, Place pl
 void check_same_particles(const Reading& reading, const CaseValues& before, Place place, Report& report) {
   const CaseValues& v = reading.values;
   const std::string quoted = reading.quote("start.from");
+  if (before.is_line()) {
+    report.error(
+        place,
+        fmt::format("{} is a line, of which nobody knows how many particles it ends with; allowed: a case with "
+                    "ends = \"periodic\" or \"closed\"",
+                    quoted),
+        "change what is to change during one run: bulk_velocity and rate may be tables in time");
+    return;
+  }
   if (reading.usable({"particles.count"}) && before.count != v.count)
     report.error(place, fmt::format("{} has {} particles; allowed: as many as here, {}", quoted, before.count, v.count),
                  "start from a case of the same count, or change [particles] count");
@@ -114,6 +123,7 @@ Reading load_case(const std::string& text, const std::string& label, Report& rep
   check_conditions(reading, report);
   check_times(reading, report);
   complete(reading);
+  check_line(reading, report);
   check_geometry(reading, report);
   check_placed(reading, report);
   return reading;

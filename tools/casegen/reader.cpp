@@ -33,8 +33,8 @@ class Reader {
     for (const auto& table : tables()) {
       if (is_part(table.name)) continue;  // read with the table it belongs to
       if (const toml::node* node = root.get(table.name)) {
-        read_table(table.name, *node);
-      } else if (table.required) {
+        read_node(table, *node);
+      } else if (is_needed(table, reading_.values)) {
         if (!misspelt_.contains(table.name))
           report_.error({}, fmt::format("missing table [{}]: {}", table.name, table.meaning),
                         "add it, with " + fmt::format("{}", fmt::join(names_in(table.name, true), ", ")));
@@ -64,6 +64,7 @@ class Reader {
     add_names(case_keys(), table, only_required, names);
     add_names(species_keys(), table, only_required, names);
     add_names(placed_keys(), table, only_required, names);
+    add_names(probe_keys(), table, only_required, names);
     for (const auto& part : tables())
       if (part.is_part_of(table) && !only_required) names.push_back(part.last_name());
     if (table == "start" && only_required) names = {"one of arrangement = \"random\"", "from", "[[start.particle]]"};
@@ -127,7 +128,7 @@ class Reader {
     for (const auto& [key, value] : *table) {
       const std::string key_name(key.str());
       if (const TableRule* part = find_table(fmt::format("{}.{}", name, key_name))) {
-        read_part(*part, value);
+        read_node(*part, value);
       } else if (const auto* rule = find_key(name, key_name)) {
         read_value(*rule, name + ".", key, value, reading_.values);
       } else {
@@ -147,11 +148,13 @@ class Reader {
     reading_.unusable.insert(prefix + rule.name);
   }
 
-  void read_part(const TableRule& table, const toml::node& node) {
+  void read_node(const TableRule& table, const toml::node& node) {
     if (table.name == "start.particle")
       read_list(table, node, placed_keys(), reading_.values.placed, "particle");
     else if (table.name == "particles.species")
       read_list(table, node, species_keys(), reading_.values.species, "kind");
+    else if (table.name == "probe")
+      read_list(table, node, probe_keys(), reading_.values.probes, "station");
     else
       read_table(table.name, node);
   }
@@ -164,9 +167,9 @@ class Reader {
     const toml::array* entries = node.as_array();
     reading_.tables[list.name] = place_of(node.source());
     if (entries == nullptr) {
-      report_.error(place_of(node.source()),
-                    fmt::format("'{}' in [{}] must be a list of tables", list.last_name(),
-                                list.name.substr(0, list.name.find('.'))),
+      const std::string where =
+          is_part(list.name) ? fmt::format(" in [{}]", list.name.substr(0, list.name.find('.'))) : "";
+      report_.error(place_of(node.source()), fmt::format("'{}'{} must be a list of tables", list.last_name(), where),
                     fmt::format("write {}, with two pairs of brackets, before each {}", title, noun));
       reading_.unusable.insert(list.name);
       return;

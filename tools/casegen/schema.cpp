@@ -35,12 +35,18 @@ std::span<const TableRule> tables() {
       {"material", true, "what they and the walls are made of"},
       {"contact", false, "the contact law"},
       {"pipe", true, "the pipe"},
+      {"feed", false, "what is fed into an open pipe; needed with ends = \"open\", and only there"},
       {"gas", false, "the gas that blows through the pipe; without this table there is none"},
-      {"start", true, "where the particles come from: exactly one of `arrangement`, `from` and `[[start.particle]]`"},
+      {"start", true,
+       "where the particles come from: exactly one of `arrangement`, `from` and `[[start.particle]]`; an open pipe "
+       "with "
+       "count = 0 needs none"},
       {"start.particle", false, "one `[[start.particle]]` table per particle, as many as `count` or species say", true},
       {"run", true, "time and its step"},
       {"capacity", false, "fixed sizes of the arrays"},
       {"output", false, "what is written, and how often"},
+      {"probe", false, "one `[[probe]]` table for each station along an open pipe that has a time series of its own",
+       true},
   };
   return all;
 }
@@ -49,6 +55,7 @@ std::span<const Rule<CaseValues>> case_keys() {
   static const std::vector<Rule<CaseValues>> all = [] {
     std::vector<Rule<CaseValues>> keys = physics_keys();
     for (auto& key : size_keys()) keys.push_back(key);
+    for (auto& key : feed_keys()) keys.push_back(key);
     for (auto& key : run_keys()) keys.push_back(key);
     return keys;
   }();
@@ -67,6 +74,10 @@ const TableRule* find_table(std::string_view name) {
   return nullptr;
 }
 
+bool is_needed(const TableRule& table, const CaseValues& v) {
+  return table.required && !(table.name == "start" && v.starts_empty());
+}
+
 std::string table_title(std::string_view name) {
   const TableRule* table = find_table(name);
   return table != nullptr && table->is_list ? fmt::format("[[{}]]", name) : fmt::format("[{}]", name);
@@ -77,62 +88,6 @@ bool TableRule::is_part_of(std::string_view table) const {
 }
 
 std::string TableRule::last_name() const { return name.substr(name.rfind('.') + 1); }
-
-bool applies(When when, const CaseValues& v) {
-  switch (when) {
-    case When::always:
-    case When::species_default:
-      return true;
-    case When::hertz:
-      return v.normal == "hertz";
-    case When::linear:
-      return v.normal == "linear";
-    case When::random:
-      return !v.arrangement.empty();
-    case When::from:
-      return !v.start_from.empty();
-    case When::no_species:
-      return !v.has_species;
-    case When::one_size:
-      return !v.has_species && !v.has_distribution;
-    case When::size_ends:
-      return v.has_distribution && v.size_distribution != "table";
-    case When::size_normal:
-      return v.size_distribution == "normal";
-    case When::size_lognormal:
-      return v.size_distribution == "lognormal";
-    case When::size_table:
-      return v.size_distribution == "table";
-  }
-  return true;
-}
-
-std::string describe(When when) {
-  switch (when) {
-    case When::always:
-    case When::no_species:
-    case When::one_size:
-    case When::species_default:
-      return "";
-    case When::hertz:
-      return "normal = \"hertz\"";
-    case When::linear:
-      return "normal = \"linear\"";
-    case When::random:
-      return "arrangement = \"random\"";
-    case When::from:
-      return "from = \"another case\"";
-    case When::size_ends:
-      return R"(distribution = "uniform", "normal" or "lognormal")";
-    case When::size_normal:
-      return "distribution = \"normal\"";
-    case When::size_lognormal:
-      return "distribution = \"lognormal\"";
-    case When::size_table:
-      return "distribution = \"table\"";
-  }
-  return "";
-}
 
 bool Range::contains(double value) const {
   if (!std::isfinite(value)) return false;
@@ -158,7 +113,9 @@ std::string Rule<Record>::type() const {
                  [](const Choice<Record>&) { return "word"; }, [](const Vector<Record>&) { return "three numbers"; },
                  [](const Name<Record>&) { return "text"; },
                  [](const NameOrNumber<Record>&) { return "whole number or text"; },
-                 [](const Numbers<Record>&) { return "numbers"; }, [](const Memory<Record>&) { return "text"; }},
+                 [](const Numbers<Record>&) { return "numbers"; },
+                 [](const InTime<Record>&) { return "number or table in time"; },
+                 [](const Memory<Record>&) { return "text"; }},
       binding);
 }
 
@@ -181,15 +138,24 @@ std::string Rule<Record>::allowed() const {
           [](const Numbers<Record>& numbers) {
             return fmt::format("[a, b, ...], 2 to {} numbers, each {}", longest_list, numbers.range.describe());
           },
+          [](const InTime<Record>& own) {
+            return fmt::format("{}; in time [[t, value], ...], 1 to {} rows, t at least 0 and increasing",
+                               own.range.describe(), longest_list);
+          },
           [](const Memory<Record>&) { return std::string("a whole number and B, KiB or MiB"); }},
       binding);
 }
 
 template <class Record>
 std::string Rule<Record>::plausible() const {
-  const auto* real = std::get_if<Real<Record>>(&binding);
-  const auto* vector = std::get_if<Vector<Record>>(&binding);
-  const Range range = real != nullptr ? real->plausible : vector != nullptr ? vector->plausible : any;
+  const Range range = std::visit(
+      [](const auto& bound) {
+        if constexpr (requires { bound.plausible; })
+          return bound.plausible;
+        else
+          return any;
+      },
+      binding);
   return std::isfinite(range.low) || std::isfinite(range.high) ? range.describe() : "";
 }
 
@@ -199,6 +165,9 @@ bool Rule<Record>::is_plausible(const Record& record) const {
     const double value = record.*real->member;
     return std::isinf(value) || real->plausible.contains(value);
   }
+  if (const auto* own = std::get_if<InTime<Record>>(&binding))
+    return std::ranges::all_of(record.*own->member,
+                               [&](const TimeValue& row) { return own->plausible.contains(row.value); });
   const auto* vector = std::get_if<Vector<Record>>(&binding);
   return vector == nullptr ||
          std::ranges::all_of(record.*vector->member, [&](double x) { return vector->plausible.contains(x); });
@@ -221,6 +190,12 @@ std::string Rule<Record>::value_in(const Record& record) const {
     for (const double value : values) words.push_back(number(value));
     return fmt::format("[{}]", fmt::join(words, ", "));
   };
+  const auto in_time = [](const TimeTable& rows) {
+    if (rows.size() == 1) return number(rows[0].value);
+    std::vector<std::string> words;
+    for (const auto& [time, value] : rows) words.push_back(fmt::format("[{}, {}]", number(time), number(value)));
+    return fmt::format("[{}]", fmt::join(words, ", "));
+  };
   return std::visit(
       Overloaded{[&](const Real<Record>& real) { return number(record.*real.member); },
                  [&](const Whole<Record>& whole) { return fmt::format("{}", record.*whole.member); },
@@ -231,6 +206,7 @@ std::string Rule<Record>::value_in(const Record& record) const {
                  [&](const Name<Record>& own) { return word(record.*own.member); },
                  [&](const NameOrNumber<Record>& own) { return record.*own.member; },
                  [&](const Numbers<Record>& numbers) { return list(record.*numbers.member); },
+                 [&](const InTime<Record>& own) { return in_time(record.*own.member); },
                  [&](const Memory<Record>& memory) { return fmt::format("{}", record.*memory.member); }},
       binding);
 }
@@ -238,5 +214,6 @@ std::string Rule<Record>::value_in(const Record& record) const {
 template struct Rule<CaseValues>;
 template struct Rule<Species>;
 template struct Rule<PlacedParticle>;
+template struct Rule<Probe>;
 
 }  // namespace fixdem::casegen

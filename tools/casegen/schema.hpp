@@ -1,9 +1,9 @@
 // The case format as one table: every key with its type, range, unit, default and meaning.
 //
 // The same rows drive reading, range checks, the advice of every refusal, the suggestions for misspelt keys and
-// `casegen --keys`, which prints the table of cases/README.md. A new key is one row in keys_physics.cpp or keys_run.cpp
-// and one member of `CaseValues`. What several keys must satisfy together is not a property of a row: see
-// conditions.cpp and geometry.cpp.
+// `casegen --keys`, which prints the table of cases/README.md. A new key is one row in one of keys_*.cpp and one member
+// of `CaseValues`. What several keys must satisfy together is not a property of a row: see conditions.cpp and
+// geometry.cpp.
 #pragma once
 
 #include <limits>
@@ -18,7 +18,7 @@
 namespace fixdem::casegen {
 
 inline constexpr std::size_t longest_text = 500;  // bytes
-inline constexpr std::size_t longest_list = 100;  // numbers
+inline constexpr std::size_t longest_list = 100;  // numbers, or rows of a table in time
 
 /// An interval of numbers. Infinity is never inside, unless a key allows it explicitly.
 struct Range {
@@ -81,6 +81,13 @@ struct Numbers {
   std::vector<double> Record::*member;
   Range range;  ///< of each
 };
+/// A number, or [[time, value], ...], s.
+template <class Record>
+struct InTime {
+  TimeTable Record::*member;
+  Range range;  ///< of each value
+  Range plausible = any;
+};
 /// A text like "256 KiB", or a whole number of bytes.
 template <class Record>
 struct Memory {
@@ -113,6 +120,8 @@ NameOrNumber(std::string Record::*) -> NameOrNumber<Record>;
 template <class Record>
 Numbers(std::vector<double> Record::*, Range) -> Numbers<Record>;
 template <class Record>
+InTime(TimeTable Record::*, Range, Range) -> InTime<Record>;
+template <class Record>
 Memory(std::int64_t Record::*) -> Memory<Record>;
 
 /// When a key has a meaning; given elsewhere it is refused, because it would silently do nothing.
@@ -128,7 +137,11 @@ enum class When {
   size_ends,        ///< with a distribution that is cut, so all but a table
   size_normal,
   size_lognormal,
-  size_table
+  size_table,
+  line,
+  velocity_given,  ///< neither inlet pressure nor blower
+  incompressible,
+  compressible
 };
 
 /// A key without the place its value goes to.
@@ -149,7 +162,7 @@ struct Key {
 template <class Record>
 struct Rule : Key {
   using Binding = std::variant<Real<Record>, Whole<Record>, Flag<Record>, Text<Record>, Choice<Record>, Vector<Record>,
-                               Name<Record>, NameOrNumber<Record>, Numbers<Record>, Memory<Record>>;
+                               Name<Record>, NameOrNumber<Record>, Numbers<Record>, InTime<Record>, Memory<Record>>;
   Binding binding;
 
   std::string type() const;       ///< "real number", "whole number", ...
@@ -173,14 +186,17 @@ struct TableRule {
 std::span<const TableRule> tables();                  ///< in the order of the documentation
 std::vector<Rule<CaseValues>> physics_keys();         ///< title, particles, material, contact, pipe, gas
 std::vector<Rule<CaseValues>> size_keys();            ///< particles.sizes
+std::vector<Rule<CaseValues>> feed_keys();            ///< feed
 std::vector<Rule<CaseValues>> run_keys();             ///< start, run, capacity, output
 std::span<const Rule<CaseValues>> case_keys();        ///< all of these; table "" is the top of the file
 std::span<const Rule<Species>> species_keys();        ///< of one `[[particles.species]]`
 std::span<const Rule<PlacedParticle>> placed_keys();  ///< of one `[[start.particle]]`
+std::span<const Rule<Probe>> probe_keys();            ///< of one `[[probe]]`
 
 const Rule<CaseValues>* find_key(std::string_view table, std::string_view name);
 const TableRule* find_table(std::string_view name);
-std::string table_title(std::string_view table);  ///< "[pipe]", "[[start.particle]]"
+bool is_needed(const TableRule& table, const CaseValues& values);  ///< required, and not for nothing
+std::string table_title(std::string_view table);                   ///< "[pipe]", "[[start.particle]]"
 bool applies(When when, const CaseValues& values);
 std::string describe(When when);  ///< "normal = \"hertz\""; empty where `default_note` says it
 

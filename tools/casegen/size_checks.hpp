@@ -14,6 +14,9 @@ void mark_sizes_unknown(Reading& reading);
 /// One more, or so many more, at the end of the list.
 void add_run(std::vector<SizeRun>& runs, std::int64_t count, double diameter, double density, std::size_t species);
 
+/// Kinds of what a line is fed, behind those of its start; false when something is wrong.
+bool add_fed_species(Reading& reading, Report& report);
+
 /// Fill in `sizes`, and `count` with species, or mark them as unknown.
 void take_species(Reading& reading, Report& report);
 void take_distribution(Reading& reading, Report& report);

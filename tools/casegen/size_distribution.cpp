@@ -22,10 +22,9 @@ namespace {
 
 const boost::math::normal standard;
 
-/// So that a difference in the last bits of a mathematics library makes no other case of this one.
-double to_ten_digits(double value) { return std::strtod(fmt::format("{:.9e}", value).c_str(), nullptr); }
-
 }  // namespace
+
+double to_ten_digits(double value) { return std::strtod(fmt::format("{:.9e}", value).c_str(), nullptr); }
 
 SizeDistribution::SizeDistribution(const CaseValues& v)
     : kind_(v.size_distribution == "uniform"     ? Kind::uniform
@@ -91,9 +90,9 @@ double SizeDistribution::quantile(double share) const {
   return std::clamp(to_ten_digits(diameter), low_, high_);
 }
 
-std::vector<double> distributed_diameters(const CaseValues& v) {
+std::vector<double> distributed_diameters(const CaseValues& v, std::int64_t number) {
   const SizeDistribution distribution(v);
-  const auto count = static_cast<std::size_t>(v.count);
+  const auto count = static_cast<std::size_t>(number);
   std::vector<double> diameters(count);
   for (std::size_t k = 0; k < count; ++k)
     diameters[k] = distribution.quantile((static_cast<double>(k) + 0.5) / static_cast<double>(count));

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "checks.hpp"
 #include "schema.hpp"
@@ -31,14 +34,18 @@ void check_times(const Reading& reading, Report& report) {
                  fmt::format("{} is shorter than one step; allowed: at least time_step = {}",
                              reading.quote("run.duration"), v.time_step),
                  "raise duration or lower time_step");
-  const std::pair<const char*, double> times[] = {{"run.duration", v.duration},
-                                                  {"output.log_interval", v.log_interval},
-                                                  {"output.frame_interval", v.frame_interval},
-                                                  {"output.sample_interval", v.sample_interval},
-                                                  {"output.checkpoint_interval", v.checkpoint_interval}};
+  std::vector<std::pair<std::string, double>> times = {{"run.duration", v.duration},
+                                                       {"output.log_interval", v.log_interval},
+                                                       {"output.frame_interval", v.frame_interval},
+                                                       {"output.sample_interval", v.sample_interval},
+                                                       {"output.checkpoint_interval", v.checkpoint_interval},
+                                                       {"output.slice_interval", v.slice_interval},
+                                                       {"output.contact_interval", v.contact_interval}};
+  for (std::size_t k = 0; k < v.probes.size(); ++k)
+    times.emplace_back(fmt::format("probe.{}.interval", k), v.probes[k].interval);
   for (const auto& [name, time] : times) {
     if (!reading.has(name) || !reading.usable({name}) || !(time > 0) || std::isinf(time)) continue;
-    const bool is_interval = name != times[0].first;
+    const bool is_interval = name != times.front().first;
     if (is_interval && time < v.time_step)
       report.error(reading.place(name),
                    fmt::format("{} is shorter than one step; allowed: at least time_step = {}", reading.quote(name),
@@ -51,6 +58,11 @@ void check_times(const Reading& reading, Report& report) {
                    is_interval ? "an interval beyond the duration gives nothing in between: lower it to the duration"
                                : "lower duration or raise time_step");
   }
+  const char* from = "output.statistics_from";
+  if (reading.has(from) && reading.usable({from}) && v.statistics_from >= v.duration)
+    report.error(reading.place(from),
+                 fmt::format("{} is not before the end; allowed: below duration = {}", reading.quote(from), v.duration),
+                 find_key("output", "statistics_from")->advice);
 }
 
 }  // namespace fixdem::casegen

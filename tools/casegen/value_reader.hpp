@@ -201,6 +201,39 @@ std::string assign(const Numbers<Record>& numbers, const toml::node& node, Recor
   return "";
 }
 
+/// One row of a table in time into the table; returns what is wrong with it, or "".
+inline std::string add_row(const toml::node& node, Range range, TimeTable& rows) {
+  const std::string row = fmt::format("row {}", rows.size() + 1);
+  const auto* pair = node.as_array();
+  if (pair == nullptr || pair->size() != 2)
+    return fmt::format("has {} as {}, but must have [t, value]", written(node), row);
+  TimeValue own{};
+  if (const auto problem = assign(Real<TimeValue>{&TimeValue::time, not_negative}, (*pair)[0], own); !problem.empty())
+    return fmt::format("has a time in {} that {}", row, problem);
+  if (const auto problem = assign(Real<TimeValue>{&TimeValue::value, range}, (*pair)[1], own); !problem.empty())
+    return fmt::format("has a value in {} that {}", row, problem);
+  if (!rows.empty() && own.time <= rows.back().time)
+    return fmt::format("has times that do not increase: {} in {} after {}", own.time, row, rows.back().time);
+  rows.push_back(own);
+  return "";
+}
+
+template <class Record>
+std::string assign(const InTime<Record>& table, const toml::node& node, Record& record) {
+  TimeTable rows;
+  if (const auto* list = node.as_array()) {
+    if (list->empty() || list->size() > longest_list) return fmt::format("has {} rows", list->size());
+    for (const toml::node& row : *list)
+      if (auto problem = add_row(row, table.range, rows); !problem.empty()) return problem;
+  } else {
+    rows.resize(1);
+    const Real<TimeValue> number{&TimeValue::value, table.range};
+    if (auto problem = assign(number, node, rows[0]); !problem.empty()) return problem;
+  }
+  record.*table.member = std::move(rows);
+  return "";
+}
+
 template <class Record>
 std::string assign(const Memory<Record>& memory, const toml::node& node, Record& record) {
   constexpr std::int64_t maximum = std::int64_t{1} << 40;

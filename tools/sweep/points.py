@@ -20,6 +20,7 @@ from sweep_file import read_toml, refuse
 
 RUN_TIME = {("start", "seed"): "--seed", ("run", "duration"): "--duration"}
 FOLLOWED = ("particles", "material")  # tables in which the cases of a chain must agree
+OWN = {("particles", "capacity")}  # of a line alone, which may start from another case
 RANDOM_START = {("start", "seed"), ("start", "velocity")}
 
 
@@ -88,7 +89,7 @@ def applies_to(key, name, place, length):
         return key[0] == name
     if key in RANDOM_START:
         return place == length - 1
-    return place == 0 or key[0] in FOLLOWED
+    return place == 0 or (key[0] in FOLLOWED and key not in OWN)
 
 
 def with_values(case, values):
