@@ -123,7 +123,7 @@ TEST_CASE("contact time: the shortest of all pairs of species, and who it is") {
   CHECK(contact_warning(sizes, 1e-5).find("of smallest with smallest") != std::string::npos);
   // A single small one meets only walls and large ones, which are slower.
   const ParticleKind three[] = {{0.01, 1000, 0}, {0.01, 1000, 0}, {0.001, 1000, 1}};
-  facts.kinds = three, facts.particle_count = 3, facts.smallest_diameter = 0.001;
+  facts.kinds = three, facts.kind_count = facts.particle_count = 3, facts.smallest_diameter = 0.001;
   CHECK(contact_warning(facts, 0).find("of small with the wall") != std::string::npos);
   facts.has_wall = false, facts.is_periodic = true;
   CHECK(contact_warning(facts, 0).find("of large with small") != std::string::npos);
@@ -225,7 +225,7 @@ class Bounce final : public NoSimulation {
 TEST_CASE("collision tracker: two unequal spheres touch where their radii say") {
   CaseFacts facts = case_facts<TwoSpecies<5000>>();
   const ParticleKind two[] = {{0.01, 1000, 0}, {0.005, 1000, 1}};
-  facts.kinds = two, facts.particle_count = 2, facts.has_wall = false;
+  facts.kinds = two, facts.kind_count = facts.particle_count = 2, facts.has_wall = false;
   Bounce scene;
   CollisionTracker tracker(facts);
   for (int k = 0; k < 400; ++k) tracker.observe(scene), scene.run(1);

@@ -186,17 +186,12 @@ TEST_CASE("log: with gas, how fast each species goes; overlaps in radii of the s
   LogRow row;
   row.observation.max_overlap = 0.0025;
   row.species_velocity = {1.25, 2.5};
-  {
-    LogFile log(scratch("sizes.csv"), facts);
-    log.write(row);
-  }
-  const std::string text = read_bytes(scratch("sizes.csv"));
+  const std::string text = log_header(facts) + log_line(facts, row);
   CHECK(contains(text, ",mean axial velocity of large [m/s],mean axial velocity of small [m/s],"));
   CHECK(contains(text, ",1.25,2.5,"));
   CHECK(contains(text, "\n0,0,0,0,0,0,0,1,"));
   facts.has_gas = false;
-  LogFile without(scratch("sizes_without.csv"), facts);
-  CHECK_FALSE(contains(read_bytes(scratch("sizes_without.csv")), "mean axial velocity of"));
+  CHECK_FALSE(contains(log_header(facts), "mean axial velocity of"));
 }
 
 TEST_CASE("checkpoint: of the same particles only") {

@@ -65,7 +65,7 @@ class ArchiveOf {
   void one(Particle& p) { (*this)(p.position, p.velocity, p.angular_velocity); }
   void one(Energy& e) {
     (*this)(e.kinetic, e.elastic, e.dissipated_damping, e.dissipated_sliding, e.gravity_work, e.gas_work,
-            e.elastic_tangential, e.made_by_law, e.dissipated_rolling);
+            e.elastic_tangential, e.made_by_law, e.dissipated_rolling, e.entered, e.left_with);
   }
 };
 

@@ -39,6 +39,22 @@ class CaseAdapter final : public SimulationView {
     if constexpr (Case::has_gas) return simulation_.pressure_drop();
     return 0;
   }
+  bool is_line() const override { return fixdem::is_line<Case>; }
+  bool is_present(int id) const override { return simulation_.is_present(id); }
+  long long serial(int id) const override { return simulation_.serial(id); }
+  int kind(int id) const override { return simulation_.kind(id); }
+  LineTotals line() const override {
+    if constexpr (fixdem::is_line<Case>) return simulation_.line();
+    return {};
+  }
+  double gas_velocity([[maybe_unused]] int slice) const override {
+    if constexpr (Case::has_gas) {
+      constexpr double section = Derived<Case>::pi * Derived<Case>::pipe_radius * Derived<Case>::pipe_radius;
+      const double bed = simulation_.bed_area(slice) / section;
+      return bed * simulation_.gas_velocity_in_bed(slice) + (1 - bed) * simulation_.gas_velocity_above(slice);
+    }
+    return 0;
+  }
   std::vector<CapacityUse> capacities() const override {
     std::vector<CapacityUse> list;
     for (int k = 0; k < simulation_.high_water_count(); ++k) {

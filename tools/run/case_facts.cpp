@@ -35,7 +35,7 @@ std::vector<std::string> features(const CaseFacts& facts) {
       facts.pair_contact.rolling_friction != facts.wall_contact.rolling_friction)
     list.push_back("own_walls");
   if (facts.has_wall) list.push_back("pipe_wall");
-  list.push_back(facts.is_periodic ? "periodic" : "closed_ends");
+  list.push_back(facts.line.is_open ? "open_line" : facts.is_periodic ? "periodic" : "closed_ends");
   if (facts.has_gas) {
     list.push_back("gas");
     if (facts.bed_height == BedHeight::hard) list.push_back("hard_bed_height");

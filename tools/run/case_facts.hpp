@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "line_facts.hpp"
 #include "particle_kinds.hpp"
 
 namespace fixdem::program {
@@ -24,7 +25,7 @@ struct CaseFacts : ParticleKinds {
   unsigned long long source_hash;
   const char* keys = "";  ///< "[table] key = value", one a line; empty in a case that casegen has not written
 
-  int particle_count;
+  int particle_count;  ///< in a line the most that may be present at once
   double pipe_diameter, pipe_length;
   bool is_periodic, has_wall, has_gas, has_rotation, has_rolling;
   double gas_velocity;
@@ -32,7 +33,8 @@ struct CaseFacts : ParticleKinds {
   double gravity[3];
   double time_step, duration;
   double log_interval, frame_interval, sample_interval;
-  double checkpoint_interval;  ///< 0: by the clock
+  double contact_interval = 0;  ///< between files of contact forces; 0: none
+  double checkpoint_interval;   ///< 0: by the clock
   double reference_speed;
   double max_overlap;      ///< in radii of the smallest particle; the kernel stops beyond
   double overlap_warning;  ///< in the same
@@ -59,10 +61,14 @@ struct CaseFacts : ParticleKinds {
   const char* start_from;
   const Placed* placed;
 
+  LineFacts line;
+
   const char* instruction_set;  ///< of the translation unit that holds the kernel
   const char* compiler;
   const char* kernel;  ///< checksum of its source, where make gave one
 
+  /// Particles that are there at the start.
+  int start_count() const { return line.is_open ? line.start_count : particle_count; }
   /// What [capacity] neighbours may be at most.
   int most_neighbours() const { return has_sizes() ? 160 : 30; }
 };
@@ -114,6 +120,8 @@ constexpr CaseFacts case_facts() {
   f.time_step = Case::time_step, f.duration = Case::duration;
   f.log_interval = Case::log_interval, f.frame_interval = Case::frame_interval;
   f.sample_interval = Case::sample_interval, f.checkpoint_interval = Case::checkpoint_interval;
+  if constexpr (requires { Case::contact_interval; }) f.contact_interval = Case::contact_interval;
+  f.line = line_facts<Case>();
   f.reference_speed = Case::reference_speed;
   f.max_overlap = Case::max_overlap, f.overlap_warning = Case::overlap_warning;
   f.stability_limit = Case::stability_limit;

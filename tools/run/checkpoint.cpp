@@ -13,7 +13,7 @@ namespace fixdem::program {
 namespace {
 
 constexpr std::string_view magic("FIXDEMCP", 8);
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 const std::string advice = "begin anew with --fresh";
 
 template <class Archive>
@@ -39,12 +39,12 @@ void append_keys(const CaseFacts& facts, Identity& list) {
   }
 }
 
-/// Of every particle, as they are and not as they were asked for.
+/// Of every particle, or of every kind of a line, as they are and not as they were asked for.
 std::string hash_of_sizes(const CaseFacts& facts) {
   RunningHash hash;
-  for (int id = 0; id < facts.particle_count; ++id) {
-    const double values[2] = {facts.diameter_of(id), facts.density_of(id)};
-    const int species = facts.species_of(id);
+  for (int kind = 0; kind < facts.kind_count; ++kind) {
+    const double values[2] = {facts.diameter_of(kind), facts.density_of(kind)};
+    const int species = facts.species_of(kind);
     hash.add(values, sizeof values);
     hash.add(&species, sizeof species);
   }

@@ -71,22 +71,12 @@ void CollisionTracker::locate(Candidate& c) const {
 }
 
 CollisionTracker::Encounter CollisionTracker::encounter(const Candidate& c, const double normal[3]) const {
-  Encounter e{};
-  const Particle& i = particles_[static_cast<std::size_t>(c.owner)];
-  static const Particle still{};
-  const Particle& j = c.partner >= 0 ? particles_[static_cast<std::size_t>(c.partner)] : still;
   const double radius = facts_.radius_of(c.owner);
-  const double quotient = c.partner >= 0 ? facts_.radius_of(c.partner) / radius : 1;  // of the partner's radius over it
-  double spin[3];
-  for (int k = 0; k < 3; ++k) {
-    e.normal[k] = normal[k];
-    e.velocity[k] = i.velocity[k] - j.velocity[k];
-    spin[k] = radius * (i.angular_velocity[k] + quotient * j.angular_velocity[k]);
-  }
-  const Vector of_spin = cross(spin, normal);  // eq. (8)
-  const Vector slip = tangential(e.velocity, normal);
-  for (std::size_t k = 0; k < 3; ++k) e.slip[k] = slip[k] + of_spin[k];
-  return e;
+  const bool is_pair = c.partner >= 0;
+  return {contact_motion(particles_[static_cast<std::size_t>(c.owner)], radius,
+                         is_pair ? &particles_[static_cast<std::size_t>(c.partner)] : nullptr,
+                         is_pair ? facts_.radius_of(c.partner) : radius, normal),
+          {normal[0], normal[1], normal[2]}};
 }
 
 void CollisionTracker::begin(const Candidate& c, double crossing) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "case_facts.hpp"
+#include "contact_motion.hpp"
 #include "simulation_view.hpp"
 
 namespace fixdem::program {
@@ -66,8 +67,8 @@ class CollisionTracker {
     double overlap, last_overlap;
     double normal[3];
   };
-  struct Encounter {
-    double normal[3], velocity[3], slip[3];  ///< relative, of centres and of surfaces
+  struct Encounter : ContactMotion {
+    double normal[3];
   };
 
   void locate(Candidate&) const;

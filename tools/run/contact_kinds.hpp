@@ -10,7 +10,7 @@
 
 namespace fixdem::program {
 
-/// Coefficients of the contact of two particles, or with partner < 0 of one with a wall.
+/// Coefficients of the contact of two particles, or with partner < 0 of one with a wall; by the numbers of their kinds.
 ContactCoefficients contact_coefficients(const CaseFacts&, int owner, int partner);
 /// The same of particles of these kinds.
 ContactCoefficients pair_coefficients(const CaseFacts&, const ParticleKind&, const ParticleKind&);
@@ -19,7 +19,7 @@ ContactCoefficients wall_coefficients(const CaseFacts&, const ParticleKind&);
 /// M, kg.
 double reduced_mass(const ParticleKind&, const ParticleKind&);
 
-/// R* / r of a particle that touches the partner: the lever of the rolling displacement.
+/// R* / r of a particle that touches the partner: the lever of the rolling displacement; by kinds, too.
 double rolling_lever(const ParticleKinds&, int particle, int partner);
 
 }  // namespace fixdem::program

@@ -16,11 +16,11 @@ std::string encode_dump(const Snapshot& snapshot, const CaseFacts& facts) {
   auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < snapshot.particles.size(); ++i) {
     const Particle& p = snapshot.particles[i];
-    const int id = static_cast<int>(i);
-    fmt::format_to(out, "{} {} {} {} {} {} {} {} {} {} {} {}", i + 1, facts.species_of(id) + 1, p.position[0],
-                   p.position[1], p.position[2], p.velocity[0], p.velocity[1], p.velocity[2], p.angular_velocity[0],
-                   p.angular_velocity[1], p.angular_velocity[2], facts.radius_of(id));
-    if (facts.has_sizes()) fmt::format_to(out, " {}", facts.mass_of(id));
+    const int id = static_cast<int>(i), kind = snapshot.kind(id);
+    fmt::format_to(out, "{} {} {} {} {} {} {} {} {} {} {} {}", snapshot.serial(id) + 1, facts.species_of(kind) + 1,
+                   p.position[0], p.position[1], p.position[2], p.velocity[0], p.velocity[1], p.velocity[2],
+                   p.angular_velocity[0], p.angular_velocity[1], p.angular_velocity[2], facts.radius_of(kind));
+    if (facts.has_sizes()) fmt::format_to(out, " {}", facts.mass_of(kind));
     text += '\n';
   }
   return text;

@@ -42,7 +42,7 @@ ShortestContact shortest_contact(const CaseFacts& facts, Time&& time) {
     for (std::size_t j = i; j < kinds.size(); ++j) {
       const ParticleKind& b = kinds[j].kind;
       // Of a continuous distribution the smallest stands for those that are nearly as small.
-      if (i == j && kinds[i].count < 2 && facts.has_species()) continue;
+      if (i == j && kinds[i].count < 2 && facts.has_species() && !facts.line.is_open) continue;
       look_at(reduced_mass(a, b), pair_coefficients(facts, a, b).stiffness,
               [&] { return fmt::format(" of {} with {}", kind_name(facts, a), kind_name(facts, b)); });
     }
@@ -129,6 +129,8 @@ const char* fault_name(Fault fault) {
       return "order_lost";
     case Fault::gas_unsolved:
       return "gas_unsolved";
+    case Fault::line_full:
+      return "line_full";
   }
   return "unknown_fault";
 }
@@ -141,16 +143,17 @@ ExitCode fault_exit_code(Fault fault) {
     case Fault::pair_capacity:
     case Fault::chunk_capacity:
     case Fault::history_capacity:
+    case Fault::line_full:
       return exit_capacity;
     default:
       return exit_unstable;
   }
 }
 
-std::string fault_sentence(const CaseFacts& facts, const Status& status) {
-  std::string who = status.particle >= 0 ? fmt::format("particle {}", status.particle) : "the simulation";
+std::string fault_sentence(const CaseFacts& facts, const Status& status, const NamedParticle& named) {
+  std::string who = status.particle >= 0 ? fmt::format("particle {}", named.serial) : "the simulation";
   if (status.particle >= 0 && facts.has_sizes())
-    who += fmt::format(" (diameter {:.4g} m)", facts.diameter_of(status.particle));
+    who += fmt::format(" (diameter {:.4g} m)", facts.diameter_of(named.kind));
   switch (status.fault) {
     case Fault::neighbour_capacity:
       return fmt::format("{} has {} near neighbours (limit {})", who, status.value, status.limit);
@@ -187,6 +190,10 @@ std::string fault_advice(const CaseFacts& facts, const Status& status, double sp
           "there are more than {} contacts for each particle, which spheres that do not overlap cannot have: "
           "lower [run] time_step, or max_overlap so that the run stops where it begins",
           facts.has_sizes() ? "seven and a half" : "six");
+    case Fault::line_full:
+      return "raise [particles] capacity in the case file, or leave it out: then there is room for all that the pipe "
+             "can "
+             "hold; and build again";
     case Fault::gas_unsolved:
       return "the gas flow of a slice has no solution in floating point: check [gas] bulk_velocity, density and "
              "kinematic_viscosity";

@@ -16,8 +16,17 @@ ExitCode fault_exit_code(Fault);
 /// What overlaps and ways are told in: "radii", with several sizes of the smallest particle.
 const char* overlap_unit(const CaseFacts&);
 
+/// How the particle of a fault is told: its serial number, and its kind for the diameter.
+struct NamedParticle {
+  long long serial;
+  int kind;
+};
+
 /// "particle 318 has an overlap of 0.61 radii (limit 0.5)"; with several sizes the particle's diameter is named.
-std::string fault_sentence(const CaseFacts&, const Status&);
+std::string fault_sentence(const CaseFacts&, const Status&, const NamedParticle&);
+inline std::string fault_sentence(const CaseFacts& facts, const Status& status) {
+  return fault_sentence(facts, status, {status.particle, status.particle});
+}
 
 /// What to change. For an unstable run the time step is compared with the duration of a contact at `speed` (maximum
 /// speed seen before the fault; the case's reference speed if that is 0): 20 steps per contact are asked for.

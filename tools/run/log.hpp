@@ -4,12 +4,11 @@
 // case has no physics for do not exist. Rows are written whole.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "case_facts.hpp"
-#include "output_file.hpp"
+#include "line_record.hpp"
 #include "plug_analysis.hpp"
 #include "simulation_view.hpp"
 
@@ -24,20 +23,11 @@ struct LogRow {
   double step_ratio = 0;  ///< time step / stable step (stability_watch.hpp)
   PlugSample plug{};
   std::vector<double> species_velocity;  ///< mean axial velocity of each species, m/s; with gas and species
+  LineRow line{};                        ///< of a line
 };
 
-class LogFile {
- public:
-  /// Begins the file with its header, or continues it behind a position.
-  LogFile(const std::filesystem::path&, const CaseFacts&, const FilePosition& = {});
-  void write(const LogRow&);
-  FilePosition position() const { return file_.position(); }
-  void flush() { file_.flush(); }
-
- private:
-  CaseFacts facts_;
-  AppendedFile file_;
-};
+std::string log_header(const CaseFacts&);
+std::string log_line(const CaseFacts&, const LogRow&);
 
 std::string table_header(const CaseFacts&);
 std::string table_row(const CaseFacts&, const LogRow&);

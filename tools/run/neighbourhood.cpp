@@ -7,7 +7,7 @@ namespace fixdem::program {
 std::vector<int> neighbourhood(const CaseFacts& facts, const Snapshot& snapshot, int particle) {
   std::vector<int> near;
   const double reach = neighbourhood_reach * facts.diameter;
-  for (int id = 0; id < facts.particle_count; ++id) {
+  for (int id = 0; id < static_cast<int>(snapshot.particles.size()); ++id) {
     if (particle >= 0) {
       const double *a = snapshot.particles[static_cast<std::size_t>(id)].position,
                    *b = snapshot.particles[static_cast<std::size_t>(particle)].position;

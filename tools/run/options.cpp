@@ -15,7 +15,8 @@ namespace {
 std::string version_text(const CaseFacts& facts, const SimulationView& view) {
   std::string text = fmt::format("fixdem {}\ncase:            {} ({}, xxh64 {:016x})\n", program_version, facts.name,
                                  facts.source, facts.source_hash);
-  text += fmt::format("title:           {}\nparticles:       {}\nfeatures:       ", facts.title, facts.particle_count);
+  text += fmt::format("title:           {}\nparticles:       {}{}\nfeatures:       ", facts.title,
+                      facts.line.is_open ? "at most " : "", facts.particle_count);
   for (const std::string& feature : features(facts)) text += " " + feature;
   text += "\ncapacities:     ";
   for (const CapacityUse& use : view.capacities()) text += fmt::format(" {} {};", use.name, use.limit);
@@ -73,11 +74,13 @@ std::optional<Options> read_options(const CaseFacts& facts, const SimulationView
                        ->type_name("S");
   app.add_flag("--quiet", options.quiet, "no table, no progress; errors only");
   app.add_flag("--watch", options.watch, "a live picture of the pipe instead of the table; only on a terminal");
-  app.add_flag("--no-frames", no_frames, "write no frames and no dump, only log, final state and summary");
+  app.add_flag("--no-frames", no_frames, "write no frames, no dump and no files of contacts");
   app.set_version_flag(
       "--version", [&] { return version_text(facts, view); }, "what is compiled into this program");
   app.footer(
-      "Results: log.csv, frames.pvd, frames/, final.fixdem, summary.json; checkpoint-STEP.fixdem, to go on from.\nExit "
+      "Results: log.csv, frames.pvd, frames/, final.fixdem, summary.json; of a line plugs.csv, slices.bin, "
+      "probe_N.csv;\n"
+      "checkpoint-STEP.fixdem, to go on from.\nExit "
       "codes: 0 done, 2 wrong usage, "
       "3 bad case or input, 4 capacity exceeded,\n5 unstable or non-finite, 6 input/output, 128 + signal.");
 

@@ -2,54 +2,68 @@
 
 #include <fmt/format.h>
 
+#include "contacts_vtp.hpp"
 #include "dump.hpp"
 #include "failure.hpp"
+#include "frames_vtp.hpp"
+#include "line_record.hpp"
 #include "result_folder.hpp"
 
 namespace fixdem::program {
-namespace {
-
-std::filesystem::path log_path(const Options& options) { return options.out / "log.csv"; }
-std::filesystem::path dump_path(const Options& options) { return options.out / "dump.lammpstrj"; }
-
-/// Position of the log, once all files are known to be what they were and later ones are gone; nothing for a new run.
-FilePosition checked_log(const Options& options, const OutputPosition* continued) {
-  if (continued == nullptr) return {};
-  if (const std::string what = difference(options, *continued); !what.empty())
-    throw Failure(exit_bad_input,
-                  fmt::format("cannot resume: {}\n  put back what it was, or begin anew with --fresh", what));
-  tidy_folder(options.out, static_cast<int>(continued->frames.size()));
-  return continued->log;
-}
-
-}  // namespace
 
 std::string difference(const Options& options, const OutputPosition& position) {
-  std::string what = difference(log_path(options), position.log);
-  if (what.empty() && position.dump) what = difference(dump_path(options), *position.dump);
-  for (std::size_t k = 0; what.empty() && k < position.frames.size(); ++k)
-    what = difference(frame_path(options.out, static_cast<int>(k)), position.frames[k].file);
+  std::string what;
+  for (const NamedPosition& grown : position.grown)
+    if (what.empty()) what = difference(options.out / grown.name, grown.file);
+  const auto look_at = [&](const char* name, const std::vector<WrittenFrame>& written) {
+    for (std::size_t k = 0; what.empty() && k < written.size(); ++k)
+      what = difference(member_path(options.out, name, static_cast<int>(k)), written[k].file);
+  };
+  look_at("frame", position.frames);
+  look_at("contact", position.contacts);
   return what;
 }
 
 Outputs::Outputs(const CaseFacts& facts, const Options& options, const OutputPosition* continued)
-    : facts_(facts), options_(options), log_(log_path(options), facts, checked_log(options, continued)) {
+    : facts_(facts), options_(options) {
+  if (continued != nullptr) {
+    if (const std::string what = difference(options, *continued); !what.empty())
+      throw Failure(exit_bad_input,
+                    fmt::format("cannot resume: {}\n  put back what it was, or begin anew with --fresh", what));
+    tidy_folder(options.out, static_cast<int>(continued->frames.size()), static_cast<int>(continued->contacts.size()));
+  }
+  const auto begin = [&](const std::string& name, const std::string& header) {
+    FilePosition position;
+    if (continued != nullptr)
+      for (const NamedPosition& grown : continued->grown)
+        if (grown.name == name) position = grown.file;
+    AppendedFile& file = grown_.try_emplace(name, options.out / name, position).first->second;
+    if (position.size == 0 && !header.empty()) file.append(header);
+  };
+  begin("log.csv", log_header(facts));
+  for (const auto& [name, header] : LineRecord::files(facts)) begin(name, header);
   if (!options.frames) return;
-  frames_.emplace(options.out, facts, facts.text_frames ? VtpData::text : VtpData::appended,
-                  continued != nullptr ? continued->frames : std::vector<WrittenFrame>{});
-  if (!facts.dump) return;
-  dump_.emplace(dump_path(options), continued != nullptr && continued->dump ? *continued->dump : FilePosition{});
+  frames_.emplace(options.out, "frame", continued != nullptr ? continued->frames : std::vector<WrittenFrame>{});
+  if (facts.contact_interval > 0)
+    contacts_.emplace(options.out, "contact", continued != nullptr ? continued->contacts : std::vector<WrittenFrame>{});
+  if (facts.dump) begin("dump.lammpstrj", "");
 }
 
 void Outputs::frame(const Snapshot& snapshot) {
-  if (frames_) frames_->write(snapshot);
-  if (dump_) dump_->append(encode_dump(snapshot, facts_));
+  if (!frames_) return;
+  frames_->write(snapshot.time, encode_vtp(snapshot, facts_, data()));
+  if (facts_.dump) append("dump.lammpstrj", encode_dump(snapshot, facts_));
+}
+
+void Outputs::contacts(const Snapshot& snapshot) {
+  if (contacts_) contacts_->write(snapshot.time, encode_contacts(snapshot, facts_, data()));
 }
 
 OutputPosition Outputs::position() const {
-  OutputPosition position{log_.position(), std::nullopt, {}};
-  if (dump_) position.dump = dump_->position();
+  OutputPosition position;
+  for (const auto& [name, file] : grown_) position.grown.push_back({name, file.position()});
   if (frames_) position.frames = frames_->written();
+  if (contacts_) position.contacts = contacts_->written();
   return position;
 }
 
@@ -57,12 +71,10 @@ std::string Outputs::damage() const {
   const OutputPosition now = position();
   std::string what = difference(options_, now);
   std::error_code error;
-  const auto is_longer = [&](const std::filesystem::path& path, const FilePosition& written) {
-    if (what.empty() && std::filesystem::file_size(path, error) != written.size)
+  for (const NamedPosition& grown : now.grown)
+    if (const auto path = options_.out / grown.name;
+        what.empty() && std::filesystem::file_size(path, error) != grown.file.size)
       what = fmt::format("{} is longer than what has been written", path.string());
-  };
-  is_longer(log_path(options_), now.log);
-  if (now.dump) is_longer(dump_path(options_), *now.dump);
   if (what.empty()) return what;
   return fmt::format(
       "{}: somebody else has written there during the run\n  put back what it was and go on with --resume, or "
@@ -71,9 +83,9 @@ std::string Outputs::damage() const {
 }
 
 void Outputs::flush() {
-  log_.flush();
-  if (dump_) dump_->flush();
+  for (auto& [name, file] : grown_) file.flush();
   if (frames_) frames_->flush();
+  if (contacts_) contacts_->flush();
 }
 
 }  // namespace fixdem::program

@@ -1,25 +1,40 @@
-// What a run writes while it goes: log.csv, frames and dump, how far each has come, and how they are continued.
+// What a run writes while it goes: log.csv, frames and dump, the force network, the files of a line; how far each has
+// come, and how they are continued.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "case_facts.hpp"
-#include "frames_vtp.hpp"
 #include "log.hpp"
 #include "options.hpp"
 #include "output_file.hpp"
 #include "snapshot.hpp"
+#include "vtp_arrays.hpp"
+#include "vtp_series.hpp"
 
 namespace fixdem::program {
 
-/// How far the outputs had come.
-struct OutputPosition {
-  FilePosition log;
-  std::optional<FilePosition> dump;
-  std::vector<WrittenFrame> frames;
+/// A file that grows, by its name in the folder.
+struct NamedPosition {
+  std::string name;
+  FilePosition file;
   template <class Archive>
   void transfer(Archive& archive) {
-    archive(log, dump, frames);
+    archive(name, file);
+  }
+};
+
+/// How far the outputs had come.
+struct OutputPosition {
+  std::vector<NamedPosition> grown;
+  std::vector<WrittenFrame> frames, contacts;
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(grown, frames, contacts);
   }
 };
 
@@ -32,8 +47,11 @@ class Outputs {
   /// code 3, naming which and how) before anything is changed.
   Outputs(const CaseFacts&, const Options&, const OutputPosition* continued);
 
-  void log(const LogRow& row) { log_.write(row); }
-  void frame(const Snapshot&);  ///< nothing when frames are not wanted
+  void log(const LogRow& row) { append("log.csv", log_line(facts_, row)); }
+  void frame(const Snapshot&);     ///< nothing when frames are not wanted
+  void contacts(const Snapshot&);  ///< likewise
+  /// To a file that the case has.
+  void append(const std::string& name, std::string_view record) { grown_.at(name).append(record); }
   bool writes_frames() const { return frames_.has_value(); }
   int frame_count() const { return frames_ ? frames_->count() : 0; }
 
@@ -44,11 +62,12 @@ class Outputs {
   void flush();
 
  private:
+  VtpData data() const { return facts_.text_frames ? VtpData::text : VtpData::appended; }
+
   const CaseFacts& facts_;
   const Options& options_;
-  LogFile log_;
-  std::optional<FrameWriter> frames_;
-  std::optional<AppendedFile> dump_;
+  std::map<std::string, AppendedFile> grown_;
+  std::optional<VtpSeries> frames_, contacts_;
 };
 
 }  // namespace fixdem::program

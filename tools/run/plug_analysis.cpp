@@ -4,35 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "mean.hpp"
+
 namespace fixdem::program {
 namespace {
 
-constexpr double threshold = 0.40;  // solids fraction above which a slice is plug
 constexpr int velocity_margin = 2;  // slices at each end of the plug that do not count for its particles
-constexpr int layer_margin = 4;     // slices next to the plug that do not count as layer
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// Sum and number of what is averaged; no value without items.
-struct Mean {
-  double sum = 0, weight = 0;
-  void add(double value, double w = 1) {
-    if (std::isfinite(value)) sum += value, weight += w;
-  }
-  double value() const { return weight > 0 ? sum / weight : nan; }
-};
-
-std::vector<double> smoothed(const SliceProfile& profile) {
-  const int n = static_cast<int>(profile.solids_fraction.size());
-  std::vector<double> out;
-  for (int k = 0; k < n; ++k) {
-    Mean mean;
-    for (int j = k - 1; j <= k + 1; ++j)
-      if (profile.is_periodic || (j >= 0 && j < n))
-        mean.add(profile.solids_fraction[static_cast<std::size_t>((j + n) % n)]);
-    out.push_back(mean.value());
-  }
-  return out;
-}
 
 struct Run {
   int first = 0, count = 0;
@@ -89,64 +67,89 @@ SliceProfile slice_profile(const CaseFacts& facts, const Snapshot& snapshot,
   SliceProfile profile = empty_profile(facts, pressure_gradients);
   for (std::size_t id = 0; id < snapshot.particles.size(); ++id) {
     const Particle& p = snapshot.particles[id];
-    count_particle(profile, p.position[2], p.velocity[2], facts.volume_share_of(static_cast<int>(id)));
+    count_particle(profile, p.position[2], p.velocity[2], facts.volume_share_of(snapshot.kind(static_cast<int>(id))));
   }
   set_solids_fractions(profile, facts);
   return profile;
 }
 
-PlugSample find_plug(const SliceProfile& profile, double time) {
-  PlugSample sample{};
-  sample.time = time;
-  sample.front = sample.rear = sample.length = nan;
-  sample.particle_velocity = sample.layer_area_ratio = sample.pressure_gradient = nan;
-  for (double gradient : profile.pressure_gradient) sample.pressure_drop += gradient * profile.slice_length;
-
+std::vector<double> smoothed(const SliceProfile& profile) {
   const int n = static_cast<int>(profile.solids_fraction.size());
-  if (n == 0) return sample;
-  const auto slice = [n](int k) { return static_cast<std::size_t>(((k % n) + n) % n); };
-  const std::vector<double> smooth = smoothed(profile);
+  std::vector<double> out;
+  for (int k = 0; k < n; ++k) {
+    Mean mean;
+    for (int j = k - 1; j <= k + 1; ++j)
+      if (profile.is_periodic || (j >= 0 && j < n))
+        mean.add(profile.solids_fraction[static_cast<std::size_t>((j + n) % n)]);
+    out.push_back(mean.value());
+  }
+  return out;
+}
+
+std::vector<bool> plug_slices(const SliceProfile& profile, const std::vector<double>& smooth) {
+  const int n = static_cast<int>(smooth.size());
+  const auto slice = [n](int k) { return static_cast<std::size_t>((k + n) % n); };
   std::vector<bool> above(smooth.size()), marked;
-  for (std::size_t k = 0; k < smooth.size(); ++k) above[k] = smooth[k] > threshold;
+  for (std::size_t k = 0; k < smooth.size(); ++k) above[k] = smooth[k] > plug_threshold;
   marked = above;
   for (int k = 0; k < n; ++k)
     if (profile.is_periodic || (k > 0 && k < n - 1))
       if (above[slice(k - 1)] && above[slice(k + 1)]) marked[slice(k)] = true;
-  const Run run = longest_run(marked, profile.is_periodic);
-  if (run.count == 0 || run.count == n) return sample;
-  const int last = run.first + run.count - 1;
+  return marked;
+}
 
+PlugSample measure_plug(const SliceProfile& profile, const std::vector<double>& smooth, int first, int last,
+                        double time) {
+  const int n = static_cast<int>(smooth.size());
+  const auto slice = [n](int k) { return static_cast<std::size_t>(((k % n) + n) % n); };
   // From the centre of the last slice above the threshold towards the first one below it, or to a closed end.
   const auto edge = [&](int inside, int outside) {
     if (!profile.is_periodic && (outside < 0 || outside >= n)) return outside < 0 ? 0.0 : n * profile.slice_length;
     const double a = smooth[slice(inside)], b = smooth[slice(outside)];
-    return (inside + 0.5 + (outside - inside) * (a - threshold) / (a - b)) * profile.slice_length;
+    return (inside + 0.5 + (outside - inside) * (a - plug_threshold) / (a - b)) * profile.slice_length;
   };
-  const double low = edge(run.first, run.first - 1), high = edge(last, last + 1);
+  const double low = edge(first, first - 1), high = edge(last, last + 1);
   const double pipe_length = n * profile.slice_length;
   const auto wrap = [&](double z) { return profile.is_periodic ? z - std::floor(z / pipe_length) * pipe_length : z; };
-  sample.found = true;
+  PlugSample sample{};
+  sample.found = true, sample.time = time;
   sample.front = wrap(profile.direction > 0 ? high : low);
   sample.rear = wrap(profile.direction > 0 ? low : high);
   sample.length = high - low;
-
-  Mean inside, velocity, gradient, outside;
-  for (int k = run.first; k <= last; ++k) {
-    inside.add(profile.solids_fraction[slice(k)]);
-    if (k < run.first + velocity_margin || k > last - velocity_margin) continue;
+  Mean velocity, gradient;
+  for (int k = first + velocity_margin; k <= last - velocity_margin; ++k) {
     velocity.add(profile.axial_momentum[slice(k)], profile.particles[slice(k)]);
     gradient.add(profile.pressure_gradient[slice(k)]);
   }
-  // Round the ring from one edge to the other; in a closed pipe each side on its own.
-  if (profile.is_periodic) {
-    for (int k = last + 1 + layer_margin; k < run.first + n - layer_margin; ++k)
-      outside.add(profile.solids_fraction[slice(k)]);
-  } else {
-    for (int k = 0; k < run.first - layer_margin; ++k) outside.add(profile.solids_fraction[slice(k)]);
-    for (int k = last + 1 + layer_margin; k < n; ++k) outside.add(profile.solids_fraction[slice(k)]);
-  }
   sample.particle_velocity = velocity.value();
   sample.pressure_gradient = gradient.value();
+  sample.layer_area_ratio = nan;
+  return sample;
+}
+
+double layer_ratio_eq41(double particle_velocity, double gravity, double pipe_diameter) {
+  return gravity > 0 ? 1 / (1 + 1.84 * particle_velocity / std::sqrt(gravity * pipe_diameter)) : nan;
+}
+
+PlugSample find_plug(const SliceProfile& profile, double time) {
+  double pressure_drop = 0;
+  for (double gradient : profile.pressure_gradient) pressure_drop += gradient * profile.slice_length;
+  const int n = static_cast<int>(profile.solids_fraction.size());
+  const std::vector<double> smooth = smoothed(profile);
+  const Run run = longest_run(plug_slices(profile, smooth), profile.is_periodic);
+  if (run.count == 0 || run.count == n) return {false, time, nan, nan, nan, nan, nan, nan, pressure_drop};
+  const int last = run.first + run.count - 1;
+  PlugSample sample = measure_plug(profile, smooth, run.first, last, time);
+  sample.pressure_drop = pressure_drop;
+
+  Mean inside, outside;
+  const auto add = [&](Mean& mean, int begin, int end) {
+    for (int k = begin; k < end; ++k) mean.add(profile.solids_fraction[static_cast<std::size_t>(k % n)]);
+  };
+  add(inside, run.first, last + 1);
+  // Round the ring from one edge to the other; in a closed pipe each side on its own.
+  if (!profile.is_periodic) add(outside, 0, run.first - layer_margin);
+  add(outside, last + 1 + layer_margin, profile.is_periodic ? run.first + n - layer_margin : n);
   sample.layer_area_ratio = outside.value() / inside.value();
   return sample;
 }
@@ -182,8 +185,7 @@ PlugResult PlugRecord::result(double duration, double gravity, double pipe_diame
   result.length = length.value();
   result.layer_area_ratio = ratio.value();
   result.pressure_gradient = gradient.value();
-  result.layer_area_ratio_eq41 =
-      gravity > 0 ? 1 / (1 + 1.84 * result.particle_velocity / std::sqrt(gravity * pipe_diameter)) : nan;  // eq. (41)
+  result.layer_area_ratio_eq41 = layer_ratio_eq41(result.particle_velocity, gravity, pipe_diameter);
   if (!enough) return result;
 
   Mean time, front;

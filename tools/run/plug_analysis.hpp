@@ -60,6 +60,20 @@ void set_solids_fractions(SliceProfile&, const CaseFacts&);
 SliceProfile slice_profile(const CaseFacts&, const Snapshot&, const std::vector<double>& pressure_gradients);
 PlugSample find_plug(const SliceProfile&, double time);
 
+// What find_plug is made of, for pipes with many plugs (plug_tracks.hpp).
+/// Solids fractions over three slices.
+std::vector<double> smoothed(const SliceProfile&);
+/// Whether each slice belongs to a plug: above 0.40, or the gap of one slice between two that are.
+std::vector<bool> plug_slices(const SliceProfile&, const std::vector<double>& smooth);
+/// Edges, length and particle velocity of the plug in the slices from `first` to `last`, which on a ring may go past
+/// the end, and the pressure gradient inside.
+PlugSample measure_plug(const SliceProfile&, const std::vector<double>& smooth, int first, int last, double time);
+/// Eq. (41): what the layer between plugs is, over the section, where particles in the plug move at this velocity.
+double layer_ratio_eq41(double particle_velocity, double gravity, double pipe_diameter);
+
+inline constexpr double plug_threshold = 0.40;  ///< solids fraction above which a slice is plug
+inline constexpr int layer_margin = 4;          ///< slices next to the plug that do not count as layer
+
 /// The samples of one run.
 class PlugRecord {
  public:

@@ -30,7 +30,6 @@ void say(fmt::format_string<Values...> format, Values&&... values) {
 
 Progress::Progress(const CaseFacts& facts, long long first_step, long long total_steps, bool quiet)
     : name_(facts.name),
-      particles_(facts.particle_count),
       time_step_(facts.time_step),
       first_(first_step),
       total_(total_steps),
@@ -43,14 +42,14 @@ Progress::Progress(const CaseFacts& facts, long long first_step, long long total
   colour_ = clever && (no_color == nullptr || *no_color == '\0');
 }
 
-void Progress::update(long long steps, double kernel_seconds) {
+void Progress::update(long long steps, double particle_steps, double kernel_seconds) {
   if (style_ == Style::none) return;
   const double part = static_cast<double>(steps) / static_cast<double>(total_);
   const int tenth = static_cast<int>(10 * part);
   if (style_ == Style::plain && tenth == last_tenth_) return;
   last_tenth_ = tenth;
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  const double rate = kernel_seconds > 0 ? 1e-6 * particles_ * static_cast<double>(steps) / kernel_seconds : 0;
+  const double rate = kernel_seconds > 0 ? 1e-6 * particle_steps / kernel_seconds : 0;
   const long long done = steps - first_;
   const std::string left =
       done > 0 ? time_left(elapsed * static_cast<double>(total_ - steps) / static_cast<double>(done)) : "?";

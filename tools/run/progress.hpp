@@ -16,7 +16,8 @@ class Progress {
   /// Of steps from `first_step` on.
   Progress(const CaseFacts&, long long first_step, long long total_steps, bool quiet);
 
-  void update(long long steps, double kernel_seconds);
+  /// `particle_steps`: of all steps.
+  void update(long long steps, double particle_steps, double kernel_seconds);
   /// Takes the line off the terminal, before something else is printed.
   void clear();
 
@@ -24,7 +25,6 @@ class Progress {
   enum class Style { none, plain, bar };
 
   std::string name_;
-  int particles_;
   double time_step_;
   long long first_, total_;
   Style style_ = Style::none;

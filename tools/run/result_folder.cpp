@@ -27,8 +27,12 @@ namespace files = std::filesystem;
 }
 
 /// Results in files of their own, and what other tools make of them.
-constexpr const char* whole_results[] = {"log.csv",      "dump.lammpstrj", "frames.pvd",    "final.fixdem",
-                                         "summary.json", "fault.vtp",      "stopped.fixdem"};
+constexpr const char* whole_results[] = {"log.csv",    "dump.lammpstrj", "frames.pvd",   "contacts.pvd",
+                                         "slices.bin", "plugs.csv",      "final.fixdem", "summary.json",
+                                         "fault.vtp",  "stopped.fixdem"};
+/// Those that grow.
+constexpr const char* grown_results[] = {"log.csv", "dump.lammpstrj", "slices.bin", "plugs.csv"};
+constexpr const char* series[] = {"frame", "contact"};
 constexpr const char* made_of_results[] = {"report.html", "movie.mp4", "movie.gif", "render.png"};
 
 /// The number in a name like frame_000123.vtp.
@@ -54,6 +58,12 @@ Numbered numbered(const files::path& folder, std::string_view begin, std::string
   return found;
 }
 
+Numbered members(const files::path& out, const std::string& name, const char* end = ".vtp") {
+  return numbered(series_folder(out, name), name + "_", end);
+}
+/// Stations of a line.
+Numbered probes(const files::path& out) { return numbered(out, "probe_", ".csv"); }
+
 /// Removes a folder of frames in which nothing else lies; a link to one stays for the next run.
 void remove_if_empty(const files::path& folder) {
   std::error_code error;
@@ -62,8 +72,10 @@ void remove_if_empty(const files::path& folder) {
 
 }  // namespace
 
-files::path frame_path(const files::path& out, int number) {
-  return out / "frames" / fmt::format("frame_{:06}.vtp", number);
+files::path series_folder(const files::path& out, const std::string& name) { return out / (name + "s"); }
+files::path series_list(const files::path& out, const std::string& name) { return out / (name + "s.pvd"); }
+files::path member_path(const files::path& out, const std::string& name, int number) {
+  return series_folder(out, name) / fmt::format("{}_{:06}.vtp", name, number);
 }
 
 files::path checkpoint_path(const files::path& out, long long step) {
@@ -76,25 +88,28 @@ void remove_file(const files::path& path) {
   if (error) fail("replace", path, error);
 }
 
-void tidy_folder(const files::path& out, int frames) {
+void tidy_folder(const files::path& out, int frames, int contacts) {
   for (const char* name : {"final.fixdem", "summary.json", "fault.vtp", "stopped.fixdem"}) remove_file(out / name);
   for (const char* name : made_of_results) remove_file(out / name);
-  for (const char* name : {"final.fixdem", "summary.json", "fault.vtp", "stopped.fixdem", "frames.pvd"})
+  for (const char* name : {"final.fixdem", "summary.json", "fault.vtp", "stopped.fixdem", "frames.pvd", "contacts.pvd"})
     remove_file(out / (std::string(name) + ".part"));
   for (const auto& [step, path] : numbered(out, "checkpoint-", ".fixdem.part")) remove_file(path);
-  for (const auto& [number, path] : numbered(out / "frames", "frame_", ".vtp.part")) remove_file(path);
-  for (const auto& [number, path] : numbered(out / "frames", "frame_", ".vtp"))
-    if (number >= frames) remove_file(path);
-  if (frames > 0) return;
-  remove_file(out / "frames.pvd");
-  remove_if_empty(out / "frames");  // a run that writes frames makes it again
+  for (const auto& [name, kept] : {std::pair{"frame", frames}, std::pair{"contact", contacts}}) {
+    for (const auto& [number, path] : members(out, name, ".vtp.part")) remove_file(path);
+    for (const auto& [number, path] : members(out, name))
+      if (number >= kept) remove_file(path);
+    if (kept > 0) continue;
+    remove_file(series_list(out, name));
+    remove_if_empty(series_folder(out, name));  // a run that writes frames makes it again
+  }
 }
 
 bool holds_results(const files::path& out) {
   std::error_code error;
   for (const char* name : whole_results)
     if (files::exists(files::symlink_status(out / name, error))) return true;
-  return !checkpoints_in(out).empty() || !numbered(out / "frames", "frame_", ".vtp").empty();
+  return !checkpoints_in(out).empty() ||
+         std::ranges::any_of(series, [&](const char* name) { return !members(out, name).empty(); });
 }
 
 files::path move_aside(const files::path& out) {
@@ -108,10 +123,12 @@ files::path move_aside(const files::path& out) {
     if (error && error != std::errc::file_exists) fail("make the folder", to, error);
   }
   std::vector<files::path> names;
-  if (!numbered(from / "frames", "frame_", ".vtp").empty()) names.emplace_back("frames");
+  for (const char* name : series)
+    if (!members(from, name).empty()) names.push_back(series_folder("", name));
   names.insert(names.end(), std::begin(whole_results), std::end(whole_results));
   names.insert(names.end(), std::begin(made_of_results), std::end(made_of_results));
   for (const files::path& path : checkpoints_in(from)) names.push_back(path.filename());
+  for (const auto& [number, path] : probes(from)) names.push_back(path.filename());
   for (const files::path& name : names) {
     if (!files::exists(files::symlink_status(from / name, error))) continue;
     if (disk::rename((from / name).c_str(), (to / name).c_str()) != 0)
@@ -125,8 +142,9 @@ files::path move_aside(const files::path& out) {
 
 void prepare_folder(const files::path& out) {
   make_folder(out);
-  tidy_folder(out, 0);
-  for (const char* name : {"log.csv", "dump.lammpstrj"}) remove_file(out / name);
+  tidy_folder(out, 0, 0);
+  for (const char* name : grown_results) remove_file(out / name);
+  for (const auto& [number, path] : probes(out)) remove_file(path);
   for (const files::path& path : checkpoints_in(out)) remove_file(path);
 }
 

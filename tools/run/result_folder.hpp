@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace fixdem::program {
@@ -10,9 +11,9 @@ namespace fixdem::program {
 /// Nothing else in the folder is touched.
 void prepare_folder(const std::filesystem::path& out);
 
-/// Takes away what an interrupted run wrote after its checkpoint, when that had `frames` frames: the rest of them,
-/// final state, summary, and what was half written.
-void tidy_folder(const std::filesystem::path& out, int frames);
+/// Takes away what an interrupted run wrote after its checkpoint, when that had so many frames and files of contacts:
+/// the rest of them, final state, summary, and what was half written.
+void tidy_folder(const std::filesystem::path& out, int frames, int contacts);
 
 /// Whether results of a run lie in the folder: anything that a new run would take away.
 bool holds_results(const std::filesystem::path& out);
@@ -25,7 +26,13 @@ std::filesystem::path move_aside(const std::filesystem::path& out);
 /// Checkpoints in the folder, the latest first.
 std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& out);
 
-std::filesystem::path frame_path(const std::filesystem::path& out, int number);
+/// Of a series of files (vtp_series.hpp): its folder, its list, and one of them.
+std::filesystem::path series_folder(const std::filesystem::path& out, const std::string& name);
+std::filesystem::path series_list(const std::filesystem::path& out, const std::string& name);
+std::filesystem::path member_path(const std::filesystem::path& out, const std::string& name, int number);
+inline std::filesystem::path frame_path(const std::filesystem::path& out, int number) {
+  return member_path(out, "frame", number);
+}
 std::filesystem::path checkpoint_path(const std::filesystem::path& out, long long step);
 
 /// Removes a file, if it is there.

@@ -13,10 +13,11 @@ constexpr int samples = 8;  // of a particle's diameter, each way
 
 }  // namespace
 
-SideView::SideView(const CaseFacts& facts, int columns)
+SideView::SideView(const CaseFacts& facts, int columns, double begin, double length)
     : kinds_(facts),
       pipe_radius_(facts.pipe_diameter / 2),
-      length_(facts.pipe_length),
+      begin_(begin),
+      length_(length),
       is_periodic_(facts.is_periodic),
       columns_(columns),
       rows_(std::clamp(static_cast<int>(std::lround(0.5 * columns * facts.pipe_diameter / length_)), 6, 20)),
@@ -26,13 +27,13 @@ void SideView::draw(const Snapshot& snapshot) {
   std::fill(cells_.begin(), cells_.end(), Cell{});
   for (std::size_t id = 0; id < snapshot.particles.size(); ++id) {
     const Particle& p = snapshot.particles[id];
-    const double radius = kinds_.radius_of(static_cast<int>(id)), step = 2 * radius / samples;
+    const double radius = kinds_.radius_of(snapshot.kind(static_cast<int>(id))), step = 2 * radius / samples;
     for (int i = 0; i < samples; ++i)
       for (int j = 0; j < samples; ++j) {
         const double across = (i + 0.5) * step - radius, up = (j + 0.5) * step - radius;
         const double under_root = radius * radius - across * across - up * up;
         if (under_root <= 0) continue;
-        double place = (p.position[2] + across) / length_;
+        double place = (p.position[2] + across - begin_) / length_;
         if (is_periodic_) place -= std::floor(place);
         const double column = std::floor(place * columns_);
         const double row = std::floor((pipe_radius_ - p.position[1] - up) / (2 * pipe_radius_) * rows_);

@@ -17,8 +17,10 @@ namespace fixdem::program {
 
 class SideView {
  public:
-  /// As many rows as the pipe's proportions ask for, but 6 to 20.
-  SideView(const CaseFacts&, int columns);
+  /// Of the whole pipe, or of the part of `length` from `begin` on. As many rows as its proportions ask for, but 6
+  /// to 20.
+  SideView(const CaseFacts& facts, int columns) : SideView(facts, columns, 0, facts.pipe_length) {}
+  SideView(const CaseFacts&, int columns, double begin, double length);
 
   void draw(const Snapshot&);
 
@@ -36,7 +38,7 @@ class SideView {
   }
 
   ParticleKinds kinds_;
-  double pipe_radius_, length_;
+  double pipe_radius_, begin_, length_;
   bool is_periodic_;
   int columns_, rows_;
   std::vector<Cell> cells_;

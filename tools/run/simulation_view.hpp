@@ -2,7 +2,8 @@
 // once.
 //
 // CaseAdapter (case_adapter.hpp) puts it in front of Simulation<Case>. Virtual calls happen between blocks of steps
-// only, so they cost nothing. Particle numbers are those of the input order.
+// only, so they cost nothing. Particle numbers are those of the input order; in a line they are slots, which are used
+// again, and of which not all are taken (kernel/case.hpp).
 #pragma once
 
 #include <span>
@@ -39,6 +40,14 @@ class SimulationView {
   virtual double pressure_gradient(int slice) const = 0;  ///< Pa/m; 0 without gas
   virtual double pressure_drop() const = 0;               ///< Pa over the pipe; 0 without gas
   virtual std::vector<CapacityUse> capacities() const = 0;
+
+  // What differs in a line; otherwise a number is serial number and kind as well.
+  virtual bool is_line() const { return false; }
+  virtual bool is_present(int) const { return true; }
+  virtual long long serial(int id) const { return id; }
+  virtual int kind(int id) const { return id; }
+  virtual LineTotals line() const { return {}; }
+  virtual double gas_velocity(int) const { return 0; }  ///< volume flux of gas and solids in a slice, m/s
 
   /// The whole simulation as bytes, to copy and to put back; empty where nobody needs that.
   virtual std::span<char> memory() { return {}; }

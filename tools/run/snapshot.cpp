@@ -29,13 +29,25 @@ Snapshot take_snapshot(const SimulationView& view, int particle_count, int gas_s
   Snapshot snapshot;
   snapshot.time = view.time();
   snapshot.step = view.step();
+  snapshot.is_of_line = view.is_line();
   snapshot.particles.reserve(static_cast<std::size_t>(particle_count));
   snapshot.images.reserve(static_cast<std::size_t>(particle_count));
+  std::vector<int> number_of(snapshot.is_of_line ? static_cast<std::size_t>(particle_count) : 0, -1);
   for (int id = 0; id < particle_count; ++id) {
+    if (snapshot.is_of_line) {
+      if (!view.is_present(id)) continue;
+      number_of[static_cast<std::size_t>(id)] = static_cast<int>(snapshot.particles.size());
+      snapshot.serials.push_back(view.serial(id));
+      snapshot.kinds.push_back(view.kind(id));
+    }
     snapshot.particles.push_back(view.particle(id));
     snapshot.images.push_back(view.image(id));
   }
   snapshot.contacts = view.contacts();
+  if (snapshot.is_of_line)
+    for (Contact& contact : snapshot.contacts)
+      for (int* id : {&contact.owner, &contact.partner})
+        if (*id >= 0) *id = number_of[static_cast<std::size_t>(*id)];
   for (int slice = 0; slice < gas_slices; ++slice) snapshot.pressure_gradients.push_back(view.pressure_gradient(slice));
   for (Contact& contact : snapshot.contacts)
     if (contact.partner >= 0 && contact.partner < contact.owner) swap_owner(contact);
@@ -43,6 +55,12 @@ Snapshot take_snapshot(const SimulationView& view, int particle_count, int gas_s
     return std::tie(a.owner, a.partner) < std::tie(b.owner, b.partner);
   });
   return snapshot;
+}
+
+int Snapshot::find(long long serial) const {
+  if (!is_of_line) return static_cast<int>(serial);
+  const auto at = std::ranges::find(serials, serial);
+  return at == serials.end() ? -1 : static_cast<int>(at - serials.begin());
 }
 
 std::vector<int> contacts_per_particle(const Snapshot& snapshot) {

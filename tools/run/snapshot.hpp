@@ -1,4 +1,5 @@
-// The state of a simulation at one moment, copied out in the order of the particles' numbers.
+// The state of a simulation at one moment, copied out in the order of the particles' numbers; of a line, that of those
+// present, counted on from 0.
 //
 // Every output (frames, dump, final state, hash, plug measurement) is made from it, so they cannot disagree. Contacts
 // are put into one order that does not depend on how the kernel sorts its particles: in a pair the lower number owns
@@ -19,6 +20,14 @@ struct Snapshot {
   std::vector<int> images;  ///< periodic crossings: unwrapped z = z + image * pipe length
   std::vector<Contact> contacts;
   std::vector<double> pressure_gradients;  ///< of the gas in each slice along the pipe, Pa/m; empty without gas
+  bool is_of_line = false;
+  std::vector<long long> serials;  ///< of a line
+  std::vector<int> kinds;          ///< of a line: numbers in the table of kinds (particle_kinds.hpp)
+
+  int kind(int id) const { return is_of_line ? kinds[static_cast<std::size_t>(id)] : id; }
+  long long serial(int id) const { return is_of_line ? serials[static_cast<std::size_t>(id)] : id; }
+  /// Number here of the particle with a serial number; -1 where it is not present.
+  int find(long long serial) const;
 };
 
 /// gas_slices: how many slices of gas the case has, 0 without gas.

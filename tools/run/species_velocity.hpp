@@ -13,7 +13,7 @@ inline std::vector<double> axial_velocities(const ParticleKinds& particles, cons
   if (!particles.has_species()) return {};
   std::vector<double> sum(static_cast<std::size_t>(particles.species_count)), count(sum.size());
   for (std::size_t id = 0; id < snapshot.particles.size(); ++id) {
-    const auto species = static_cast<std::size_t>(particles.species_of(static_cast<int>(id)));
+    const auto species = static_cast<std::size_t>(particles.species_of(snapshot.kind(static_cast<int>(id))));
     sum[species] += snapshot.particles[id].velocity[2], ++count[species];
   }
   for (std::size_t k = 0; k < sum.size(); ++k) sum[k] /= count[k];

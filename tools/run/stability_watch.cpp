@@ -59,15 +59,23 @@ double eigenvalue_bound(const Block& stiffness, const Block& damping, double h) 
   return std::sqrt(std::sqrt(std::sqrt(std::sqrt(maximum))));
 }
 
+/// The particles that contacts are of: how many, and what kind each is.
+struct Bodies {
+  int count;
+  const Snapshot* of;
+  int kind(int id) const { return of != nullptr ? of->kind(id) : id; }
+  int partner_kind(int partner) const { return partner >= 0 ? kind(partner) : partner; }
+};
+
 /// Positive weights of particles, greater the stiffer they and their neighbours are held: a few products with the graph
 /// of contacts over the masses, from weights m^(-1/2). The bound holds for any; these make it tight where few particles
 /// are stiffest, and where masses differ: the quotient for a pair begins as (m_i / m_j)^(1/2).
-std::vector<double> weights_of(const CaseFacts& facts, const std::vector<Contact>& contacts,
+std::vector<double> weights_of(const CaseFacts& facts, const Bodies& bodies, const std::vector<Contact>& contacts,
                                const std::vector<double>& held) {
   constexpr int products = 2;             // more favour a few contacts too much
   std::vector<double> weight, lightness;  // of the sphere of reference: 1
-  for (int i = 0; i < facts.particle_count; ++i) {
-    lightness.push_back(facts.has_sizes() ? facts.mass / facts.mass_of(i) : 1);
+  for (int i = 0; i < bodies.count; ++i) {
+    lightness.push_back(facts.has_sizes() ? facts.mass / facts.mass_of(bodies.kind(i)) : 1);
     weight.push_back(std::sqrt(lightness.back()));
   }
   for (int k = 0; k < products; ++k) {
@@ -110,28 +118,32 @@ TangentSpring tangent_spring(NormalLaw law, const ContactCoefficients& c, double
   return spring;
 }
 
-StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, const std::vector<Contact>& contacts) {
+StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, const std::vector<Contact>& contacts,
+                       const Snapshot* of) {
+  const Bodies bodies{of != nullptr ? static_cast<int>(of->particles.size()) : facts.particle_count, of};
   struct Blocks {
     Block stiffness{}, damping{};
   };
-  std::vector<Blocks> blocks(static_cast<std::size_t>(facts.particle_count));
+  std::vector<Blocks> blocks(static_cast<std::size_t>(bodies.count));
   std::vector<TangentSpring> springs;
   std::vector<double> held;
   for (const Contact& contact : contacts) {
-    const ContactCoefficients kind = contact_coefficients(facts, contact.owner, contact.partner);
+    const ContactCoefficients kind =
+        contact_coefficients(facts, bodies.kind(contact.owner), bodies.partner_kind(contact.partner));
     springs.push_back(tangent_spring(facts.normal, kind, contact.overlap));
     const double root = facts.normal == NormalLaw::linear ? 1 : std::sqrt(contact.overlap);
     held.push_back(springs.back().stiffness + kind.tangential_stiffness * root +  // whether there is friction or not
                    criterion.normal_damping * springs.back().damping / facts.time_step);
   }
-  const std::vector<double> weight = weights_of(facts, contacts, held);
+  const std::vector<double> weight = weights_of(facts, bodies, contacts, held);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Contact& contact = contacts[c];
     const TangentSpring& spring = springs[c];
     const auto add = [&](int particle, int other, double share) {
       Blocks& b = blocks[static_cast<std::size_t>(particle)];
-      share /= facts.mass_of(particle);
-      const double lever = rolling_lever(facts, particle, other), across = share * criterion.tangential_damping;
+      share /= facts.mass_of(bodies.kind(particle));
+      const double lever = rolling_lever(facts, bodies.kind(particle), bodies.partner_kind(other)),
+                   across = share * criterion.tangential_damping;
       const double side = particle == contact.owner ? 1 : -1;
       add_contact(b.stiffness, contact.normal, side, share * spring.stiffness, share * spring.tangential_stiffness,
                   share * spring.rolling_stiffness, lever);
@@ -148,7 +160,7 @@ StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, c
     }
   }
   StableStep least{std::numeric_limits<double>::infinity(), -1};
-  for (int i = 0; i < facts.particle_count; ++i) {
+  for (int i = 0; i < bodies.count; ++i) {
     const Blocks& b = blocks[static_cast<std::size_t>(i)];
     double step = std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row < 6; ++row) {
@@ -167,9 +179,10 @@ StableStep stable_step(const CaseFacts& facts, const StepCriterion& criterion, c
   return least;
 }
 
-bool StabilityWatch::look(double time, const std::vector<Contact>& contacts, double max_overlap) {
-  const StableStep stable = stable_step(facts_, criterion_of(facts_.integrator), contacts);
+bool StabilityWatch::look(double time, const std::vector<Contact>& contacts, double max_overlap, const Snapshot* of) {
+  const StableStep stable = stable_step(facts_, criterion_of(facts_.integrator), contacts, of);
   time_ = time, stable_ = stable.seconds, particle_ = stable.particle;
+  if (of != nullptr && particle_ >= 0) particle_ = of->serial(stable.particle);
   ratio_ = facts_.time_step / stable.seconds;  // 0 without contacts
   if (!(ratio_ <= maximum_ratio_)) maximum_ratio_ = ratio_;
   if (!(max_overlap <= facts_.overlap_warning * facts_.smallest_radius()) && !has_warned_of_overlap_) {

@@ -24,6 +24,7 @@
 #include "case_facts.hpp"
 #include "contact_kinds.hpp"
 #include "kernel/fixdem.hpp"
+#include "snapshot.hpp"
 #include "step_criteria.hpp"
 
 namespace fixdem::program {
@@ -40,14 +41,16 @@ struct StableStep {
   double seconds;  ///< infinite without contacts
   int particle;    ///< whose contacts allow no more; -1 without contacts
 };
-StableStep stable_step(const CaseFacts&, const StepCriterion&, const std::vector<Contact>&);
+/// `of`: what the contacts are of, to know kinds and number of the particles of a line.
+StableStep stable_step(const CaseFacts&, const StepCriterion&, const std::vector<Contact>&,
+                       const Snapshot* of = nullptr);
 
 class StabilityWatch {
  public:
   explicit StabilityWatch(const CaseFacts& facts) : facts_(facts) {}
 
   /// Looks at the contacts of one moment. True: the time step is beyond the limit, the run must not go on.
-  bool look(double time, const std::vector<Contact>&, double max_overlap);
+  bool look(double time, const std::vector<Contact>&, double max_overlap, const Snapshot* of = nullptr);
 
   double ratio() const { return ratio_; }                  ///< time step / stable step at the last look
   double maximum_ratio() const { return maximum_ratio_; }  ///< of all looks
@@ -55,7 +58,7 @@ class StabilityWatch {
   std::string take_warning();
   /// What is wrong and what to change, after look() has returned true.
   std::string stop_message() const;
-  int particle() const { return particle_; }
+  long long particle() const { return particle_; }  ///< its serial number; -1: none
   /// For checkpoints.
   template <class Archive>
   void transfer(Archive& archive) {
@@ -67,7 +70,7 @@ class StabilityWatch {
 
   const CaseFacts& facts_;
   double ratio_ = 0, maximum_ratio_ = 0, stable_ = 0, time_ = 0;
-  int particle_ = -1;
+  long long particle_ = -1;
   bool has_warned_of_step_ = false, has_warned_of_overlap_ = false;
   std::string warning_;
 };

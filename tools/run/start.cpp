@@ -34,7 +34,7 @@ std::filesystem::path start_state_path(const CaseFacts& facts, const Options& op
 
 std::vector<double> diameters_of(const CaseFacts& facts) {
   std::vector<double> diameters;
-  for (int id = 0; id < facts.particle_count; ++id) diameters.push_back(facts.diameter_of(id));
+  for (int id = 0; id < facts.start_count(); ++id) diameters.push_back(facts.diameter_of(id));
   return diameters;
 }
 
@@ -44,7 +44,7 @@ std::string difference_of_sizes(const CaseFacts& facts, const StoredState& state
     return state.diameter == facts.diameter
                ? ""
                : fmt::format("its particles are {} m wide, those of the case {} m", state.diameter, facts.diameter);
-  for (int id = 0; id < facts.particle_count; ++id) {
+  for (int id = 0; id < facts.start_count(); ++id) {
     const auto k = static_cast<std::size_t>(id);
     const auto describe = [id](const char* what, double there, double here) {
       return fmt::format(
@@ -72,8 +72,8 @@ StoredState load(const CaseFacts& facts, const Options& options) {
   if (!options.start_state && !state.complete)
     refuse(fmt::format("its run was interrupted at {} s of {} s", state.time, state.duration),
            fmt::format("run {} to its end, or give the file with --start-state if it is meant", facts.start_from));
-  if (state.particles.size() != static_cast<std::size_t>(facts.particle_count))
-    refuse(fmt::format("it has {} particles, the case {}", state.particles.size(), facts.particle_count),
+  if (state.particles.size() != static_cast<std::size_t>(facts.start_count()))
+    refuse(fmt::format("it has {} particles, the case {}", state.particles.size(), facts.start_count()),
            facts.has_sizes() ? "both cases need the same particles"
                              : fmt::format("set [particles] count = {} or take another state", state.particles.size()));
   if (const std::string what = difference_of_sizes(facts, state); !what.empty())
@@ -86,7 +86,7 @@ StoredState load(const CaseFacts& facts, const Options& options) {
            "use the same [contact] tangential in both cases, or [start] motion = \"stop\"");
   for (std::size_t i = 0; i < state.particles.size(); ++i) {
     const double z = state.particles[i].position[2];
-    if (z < 0 || z > facts.pipe_length || (facts.is_periodic && z == facts.pipe_length))
+    if (z < 0 || z > facts.pipe_length || ((facts.is_periodic || facts.line.is_open) && z == facts.pipe_length))
       refuse(fmt::format("particle {} lies at z = {} m, the pipe ends at {} m", i, z, facts.pipe_length),
              fmt::format("raise [pipe] length, or let {} settle longer", state.case_name));
   }
@@ -122,10 +122,10 @@ void start_simulation(SimulationView& view, const CaseFacts& facts, const Option
   if (facts.start == StartKind::random) {
     const Container pipe{facts.pipe_diameter, facts.pipe_length, facts.is_periodic};
     state.particles = facts.has_sizes() ? arrange_moving(pipe, diameters_of(facts), facts.start_velocity, options.seed)
-                                        : arrange_moving(pipe, facts.particle_count, facts.diameter,
+                                        : arrange_moving(pipe, facts.start_count(), facts.diameter,
                                                          facts.start_velocity, options.seed);
   } else if (facts.start == StartKind::placed) {
-    for (int id = 0; id < facts.particle_count; ++id) {
+    for (int id = 0; id < facts.start_count(); ++id) {
       const Placed& p = facts.placed[id];
       Particle particle{};
       for (int k = 0; k < 3; ++k) {
@@ -145,12 +145,13 @@ void start_simulation(SimulationView& view, const CaseFacts& facts, const Option
     if (!facts.start_keeps_motion || !facts.has_rotation) state.histories.clear();
   }
 
-  for (int id = 0; id < facts.particle_count; ++id) view.place(id, state.particles[static_cast<std::size_t>(id)]);
+  for (int id = 0; id < facts.start_count(); ++id) view.place(id, state.particles[static_cast<std::size_t>(id)]);
   check_started(facts, view.start());
   for (const StoredHistory& h : state.histories) {
     // Walls that this case does not have took their history with them, and so did rolling resistance.
     if (h.partner == -1 && !facts.has_wall) continue;
     if (h.partner < -1 && facts.is_periodic) continue;
+    if (h.partner == -3 && facts.line.is_open) continue;
     const ContactCoefficients& kind = h.partner >= 0 ? facts.pair_contact : facts.wall_contact;
     constexpr double none[3] = {0, 0, 0};
     view.restore_history(h.owner, h.partner, h.history, kind.rolling_friction > 0 ? h.rolling : none);

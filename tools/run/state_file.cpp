@@ -34,8 +34,10 @@ StoredState stored_state(const CaseFacts& facts, const Snapshot& snapshot, bool 
   state.particles = snapshot.particles;
   state.images.assign(snapshot.images.begin(), snapshot.images.end());
   if (facts.has_sizes())
-    for (int id = 0; id < facts.particle_count; ++id)
-      state.diameters.push_back(facts.diameter_of(id)), state.densities.push_back(facts.density_of(id));
+    for (int id = 0; id < static_cast<int>(state.particles.size()); ++id) {
+      state.diameters.push_back(facts.diameter_of(snapshot.kind(id)));
+      state.densities.push_back(facts.density_of(snapshot.kind(id)));
+    }
   state.has_rolling = facts.has_rolling;
   for (const Contact& c : snapshot.contacts)
     state.histories.push_back({c.owner,

@@ -18,9 +18,8 @@ using Json = nlohmann::ordered_json;  // keys in the order written here
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json triple(const double (&v)[3]) { return Json::array({number(v[0]), number(v[1]), number(v[2])}); }
 
-double rate(const CaseFacts& facts, const Outcome& outcome) {
-  const double steps = static_cast<double>(outcome.snapshot.step) * facts.particle_count;
-  return outcome.kernel_time > 0 ? steps / outcome.kernel_time : 0;
+double rate(const Outcome& outcome) {
+  return outcome.kernel_time > 0 ? outcome.particle_steps / outcome.kernel_time : 0;
 }
 
 Json energy(const CaseFacts& facts, const Outcome& outcome) {
@@ -37,6 +36,7 @@ Json energy(const CaseFacts& facts, const Outcome& outcome) {
   list["made_by_law"] = entry(e.made_by_law);
   list["gravity_work"] = number(e.gravity_work);
   list["gas_work"] = facts.has_gas ? entry(e.gas_work) : Json(nullptr);
+  if (facts.line.is_open) list["entered"] = number(e.entered), list["left_with"] = number(e.left_with);
   list["balance_error"] = entry(balance_error(outcome.start_energy, e));
   return list;
 }
@@ -82,17 +82,18 @@ Json particles(const CaseFacts& facts, const Outcome& outcome) {
     list.push_back({{"position", triple(p.position)},
                     {"velocity", triple(p.velocity)},
                     {"angular_velocity", triple(p.angular_velocity)}});
-    if (facts.has_sizes()) list.back()["diameter"] = facts.diameter_of(id);
+    if (facts.has_sizes()) list.back()["diameter"] = facts.diameter_of(outcome.snapshot.kind(id));
   }
   return list;
 }
 
-Json sizes(const CaseFacts& facts) {
-  const SizeStatistics all = size_statistics(facts, facts.particle_count);
+Json sizes(const CaseFacts& facts, const Snapshot& snapshot) {
+  const SizeStatistics all = size_statistics(facts, static_cast<int>(snapshot.particles.size()),
+                                             snapshot.is_of_line ? snapshot.kinds.data() : nullptr);
   return {{"minimum_diameter", all.minimum_diameter},
           {"maximum_diameter", all.maximum_diameter},
-          {"mean_diameter", all.mean_diameter},
-          {"sauter_diameter", all.sauter_diameter},
+          {"mean_diameter", number(all.mean_diameter)},
+          {"sauter_diameter", number(all.sauter_diameter)},
           {"total_mass", all.total_mass},
           {"total_volume", all.total_volume}};
 }
@@ -100,15 +101,49 @@ Json sizes(const CaseFacts& facts) {
 Json species(const CaseFacts& facts, const Outcome& outcome) {
   const std::vector<CountedKind> kinds = counted_kinds(facts, facts.particle_count);
   const std::vector<double> velocities = axial_velocities(facts, outcome.snapshot);
+  std::vector<int> counts(kinds.size(), 0);
+  for (int id = 0; id < static_cast<int>(outcome.snapshot.particles.size()); ++id)
+    ++counts[static_cast<std::size_t>(facts.species_of(outcome.snapshot.kind(id)))];
   Json list = Json::array();
   for (std::size_t k = 0; k < kinds.size(); ++k)
     list.push_back({{"name", facts.species[k]},
-                    {"count", kinds[k].count},
+                    {"count", counts[k]},
                     {"diameter", kinds[k].kind.diameter},
                     {"density", kinds[k].kind.density},
                     {"mean_axial_velocity", number(velocities[k])},
-                    {"mass", kinds[k].count * kinds[k].kind.mass()}});
+                    {"mass", counts[k] * kinds[k].kind.mass()}});
   return list;
+}
+
+Json line(const LineResult& r) {
+  const LineTotals& t = r.totals;
+  return {{"at_start", t.at_start},
+          {"fed", t.fed},
+          {"left", t.left},
+          {"present", t.present},
+          {"asked_rate", number(r.asked_rate)},
+          {"accepted_rate", number(r.accepted_rate)},
+          {"backlog", number(t.backlog)},
+          {"blocked_time", number(t.blocked_time)},
+          {"holdup", number(r.holdup.mean)},
+          {"plug_velocity", number(r.plug_velocity.mean)},
+          {"plug_particle_velocity", number(r.plug_particle_velocity.mean)},
+          {"plug_length", number(r.plug_length.mean)},
+          {"layer_ratio", number(r.layer_ratio.mean)},
+          {"layer_ratio_eq41", number(r.layer_ratio_eq41)},
+          {"plug_frequency", number(r.plug_frequency)},
+          {"plugs", r.plugs},
+          {"inlet_pressure", number(r.inlet_pressure.mean)}};
+}
+
+/// Standard deviations of those that are means of single values.
+Json line_scatter(const LineResult& r) {
+  return {{"holdup", number(r.holdup.deviation)},
+          {"plug_velocity", number(r.plug_velocity.deviation)},
+          {"plug_particle_velocity", number(r.plug_particle_velocity.deviation)},
+          {"plug_length", number(r.plug_length.deviation)},
+          {"layer_ratio", number(r.layer_ratio.deviation)},
+          {"inlet_pressure", number(r.inlet_pressure.deviation)}};
 }
 
 }  // namespace
@@ -153,20 +188,25 @@ std::string encode_summary(const CaseFacts& facts, const Options& options, const
       {"performance",
        {{"wall_time", outcome.wall_time},
         {"kernel_time", outcome.kernel_time},
-        {"particle_steps_per_second", rate(facts, outcome)}}},
+        {"particle_steps_per_second", rate(outcome)}}},
       {"plug", outcome.plug ? plug(*outcome.plug) : Json(nullptr)},
       {"collision", collision(outcome)},
       {"particles", particles(facts, outcome)}};
   if (Json own = own_material(facts); !own.is_null()) summary["material"] = std::move(own);
-  if (facts.has_sizes()) summary["sizes"] = sizes(facts);
+  if (facts.has_sizes()) summary["sizes"] = sizes(facts, outcome.snapshot);
   if (facts.has_species()) summary["species"] = species(facts, outcome);
+  if (outcome.line) {
+    summary["line"] = line(*outcome.line);
+    summary["line_scatter"] = line_scatter(*outcome.line);
+    summary["line_verdict"] = verdict(*outcome.line);
+  }
   return summary.dump(2) + "\n";
 }
 
 std::string describe_outcome(const CaseFacts& facts, const Outcome& outcome) {
   std::string text = fmt::format(
       "\n{}: {}, {} steps, {:.6g} s simulated in {:.2f} s, {:.4g} million particle-steps/s\n", facts.name,
-      outcome.status, outcome.snapshot.step, outcome.snapshot.time, outcome.wall_time, 1e-6 * rate(facts, outcome));
+      outcome.status, outcome.snapshot.step, outcome.snapshot.time, outcome.wall_time, 1e-6 * rate(outcome));
   if (facts.energy_ledger)
     text += fmt::format("energy balance error {:.2e}\n", balance_error(outcome.start_energy, outcome.energy));
   if (outcome.steps_per_contact < fewest_steps_per_contact)
@@ -185,6 +225,7 @@ std::string describe_outcome(const CaseFacts& facts, const Outcome& outcome) {
     text += fmt::format("plug: none ({} of {} samples in the second half of the run show one)\n",
                         outcome.plug->samples_with_plug, outcome.plug->samples);
   }
+  if (outcome.line) text += describe_line(*outcome.line);
   if (outcome.collision) {
     const Collision& c = *outcome.collision;
     text +=

@@ -36,21 +36,27 @@ TimeLoop::TimeLoop(SimulationView& view, const CaseFacts& facts, const Options& 
       progress_(facts, view.step(), total_steps_, options.quiet || picture_),
       log_schedule_(facts.log_interval, facts.time_step),
       frame_schedule_(options.frames ? facts.frame_interval : 0, facts.time_step),
-      sample_schedule_(facts.has_gas ? facts.sample_interval : 0, facts.time_step),
+      contact_schedule_(options.frames ? facts.contact_interval : 0, facts.time_step),
+      sample_schedule_(facts.has_gas && !facts.line.is_open ? facts.sample_interval : 0, facts.time_step),
       checkpoint_schedule_(options.checkpoint_interval, facts.time_step),
       checkpoints_(options.out, resumed != nullptr ? resumed->path : ""),
       rewind_(view) {
-  if (facts.particle_count <= 2) collision_.emplace(facts);
+  if (facts.line.is_open)
+    line_.emplace(facts);
+  else if (facts.particle_count <= 2)
+    collision_.emplace(facts);
   checkpoint_schedule_.advance(view.step());
   if (resumed == nullptr) return;
   const std::string name = resumed->path.string(), advice = "begin anew with --fresh";
   BinaryReader reader(resumed->checkpoint.program, name, advice);
   transfer(reader);
   if (!reader.empty()) reader.refuse("is damaged: it is longer than its contents");
-  if (watch_.particle() < -1 || watch_.particle() >= facts.particle_count)
+  if (watch_.particle() < -1 || (!line_ && watch_.particle() >= facts.particle_count))
     reader.refuse("is damaged: it names particle {} of {}", watch_.particle(), facts.particle_count);
   if (collision_ && !collision_->is_consistent()) reader.refuse("is damaged: its collision is of other particles");
-  for (Schedule* schedule : {&log_schedule_, &frame_schedule_, &sample_schedule_}) schedule->advance(view.step());
+  for (Schedule* schedule : {&log_schedule_, &frame_schedule_, &contact_schedule_, &sample_schedule_})
+    schedule->advance(view.step());
+  if (line_) line_->advance(view.step());
 }
 
 int TimeLoop::run() {
@@ -73,13 +79,17 @@ int TimeLoop::go_on() {
     output(step);
   }
   while (step < total_steps_ && status.ok() && signal == 0 && !step_is_too_large_) {
-    const long long due = std::min({log_schedule_.next(), frame_schedule_.next(), sample_schedule_.next(),
-                                    checkpoint_schedule_.next(), total_steps_});
+    long long due = std::min({log_schedule_.next(), frame_schedule_.next(), contact_schedule_.next(),
+                              sample_schedule_.next(), checkpoint_schedule_.next(), total_steps_});
+    if (line_) due = std::min(due, line_->next());
     rewind_.keep(kernel_time_);
     status = advance(std::min(due - step, static_cast<long long>(block_steps_)));
-    if (!status.ok()) state_is_good_ = rewind_.go_back(status);
+    if (!status.ok()) {
+      if (status.particle >= 0) faulty_ = {view_.serial(status.particle), view_.kind(status.particle)};
+      state_is_good_ = rewind_.go_back(status);
+    }
     step = view_.step();
-    progress_.update(step, kernel_time_);
+    progress_.update(step, particle_steps_, kernel_time_);
     output(step);
     if (picture_ && (picture_->is_due() || step >= total_steps_)) show();
     if (step < total_steps_) signal = interrupt_signal();
@@ -116,6 +126,8 @@ Status TimeLoop::advance(long long steps) {
   }
   const double seconds = seconds_since(begin);
   kernel_time_ += seconds;
+  particle_steps_ +=
+      static_cast<double>(steps) * static_cast<double>(line_ ? view_.line().present : facts_.particle_count);
   const double wanted = static_cast<double>(steps) * block_time / std::max(seconds, 1e-9);
   block_steps_ = std::clamp(wanted, 1.0, 2 * block_steps_);
   return status;
@@ -127,15 +139,21 @@ void TimeLoop::output(long long step, bool is_last) {
   const bool frame_wanted = facts_.frame_interval > 0 || step < total_steps_;
   const bool frame_due =
       outputs_.writes_frames() && (frame_schedule_.is_due(step) || (is_last && frame_wanted && step != framed_step_));
-  const bool sample_due = facts_.has_gas && (sample_schedule_.is_due(step) || (is_last && step != sampled_step_));
-  if (!log_due && !frame_due && !sample_due) return;
+  const bool contacts_due = contact_schedule_.is_due(step);
+  const bool sample_due =
+      facts_.has_gas && !line_ && (sample_schedule_.is_due(step) || (is_last && step != sampled_step_));
+  const bool line_due = line_ && line_->is_due(step);
+  if (!log_due && !frame_due && !contacts_due && !sample_due && !line_due) return;
 
   const Snapshot snapshot = this->snapshot();
   if (sample_due) plugs_.add(plug_sample(snapshot)), sampled_step_ = step;
   if (log_due) log(snapshot), logged_step_ = step;
   if (frame_due) outputs_.frame(snapshot), framed_step_ = step;
+  if (contacts_due) outputs_.contacts(snapshot);
+  if (line_due) line_->look(view_, snapshot, line_files());
   log_schedule_.advance(step);
   frame_schedule_.advance(step);
+  contact_schedule_.advance(step);
   sample_schedule_.advance(step);
 }
 
@@ -147,8 +165,9 @@ void TimeLoop::log(const Snapshot& snapshot) {
   row.energy = view_.energy();
   row.balance_error = balance_error(start_energy_, row.energy);
   if (facts_.has_gas) row.plug = plug_sample(snapshot), row.species_velocity = axial_velocities(facts_, snapshot);
+  if (line_) row.line = line_->row(view_, snapshot);
   if (std::isfinite(row.observation.max_speed)) maximum_speed_ = std::max(maximum_speed_, row.observation.max_speed);
-  step_is_too_large_ = watch_.look(row.time, snapshot.contacts, row.observation.max_overlap);
+  step_is_too_large_ = watch_.look(row.time, snapshot.contacts, row.observation.max_overlap, &snapshot);
   row.step_ratio = watch_.ratio();
   outputs_.log(row);
   warn(watch_.take_warning());
@@ -181,6 +200,7 @@ void TimeLoop::show() {
   row.step = snapshot.step;
   row.observation = view_.observe();
   if (facts_.has_gas) row.plug = plug_sample(snapshot);
+  if (line_) row.line.totals = view_.line();
   picture_->show(snapshot, row);
 }
 
@@ -222,8 +242,9 @@ template <class Archive>
 void TimeLoop::transfer(Archive& archive) {
   archive(start_energy_, maximum_speed_, watch_, step_is_too_large_, plugs_);
   if (collision_) archive(*collision_);
+  if (line_) archive(*line_);
   archive(logged_step_, framed_step_, sampled_step_);
-  archive(wall_time_before_, kernel_time_);
+  archive(wall_time_before_, kernel_time_, particle_steps_);
 }
 
 }  // namespace fixdem::program

@@ -19,7 +19,9 @@
 
 #include "checkpoint_keeper.hpp"
 #include "collision_tracker.hpp"
+#include "fault_report.hpp"
 #include "found_run.hpp"
+#include "line_record.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
 #include "plug_analysis.hpp"
@@ -60,6 +62,9 @@ class TimeLoop {
   void write_end(const Status&, int signal);
   [[noreturn]] void report_stop(const Status&, const std::string& trouble) const;
   std::string how_to_go_on() const;
+  LineRecord::Append line_files() {
+    return [this](const std::string& file, std::string_view record) { outputs_.append(file, record); };
+  }
   static double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
@@ -75,20 +80,23 @@ class TimeLoop {
 
   Outputs outputs_;
   std::optional<CollisionTracker> collision_;
+  std::optional<LineRecord> line_;  ///< of a line
   StabilityWatch watch_;
   bool step_is_too_large_ = false;
   bool state_is_good_ = true;  ///< after a fault: it could be gone back to the last good step
+  NamedParticle faulty_{-1, -1};
   PlugRecord plugs_;
   std::optional<Watch> picture_;  ///< with --watch
   Progress progress_;
-  Schedule log_schedule_, frame_schedule_, sample_schedule_, checkpoint_schedule_;
+  Schedule log_schedule_, frame_schedule_, contact_schedule_, sample_schedule_, checkpoint_schedule_;
   long long logged_step_ = -1, framed_step_ = -1, sampled_step_ = -1;  ///< of the last one written
   CheckpointKeeper checkpoints_;
   Rewind rewind_;
 
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), checkpoint_time_ = begin_;
   double wall_time_before_ = 0, kernel_time_ = 0;  ///< s; of the runs before this one, and of all
-  double block_steps_ = 16;                        ///< of the next block
+  double particle_steps_ = 0;
+  double block_steps_ = 16;  ///< of the next block
 };
 
 }  // namespace fixdem::program

@@ -6,6 +6,7 @@
 
 #include "failure.hpp"
 #include "fault_report.hpp"
+#include "frames_vtp.hpp"
 #include "neighbourhood.hpp"
 #include "output_file.hpp"
 #include "state_file.hpp"
@@ -31,7 +32,7 @@ void TimeLoop::write_stopped_state(const Status& status) {
   if (status.ok() && !step_is_too_large_) return;
   // Always appended: as text, VTK could not read values that are not finite.
   const Snapshot snapshot = this->snapshot();
-  const int particle = status.ok() ? watch_.particle() : status.particle;
+  const int particle = snapshot.find(status.ok() ? watch_.particle() : faulty_.serial);
   write_file(options_.out / "fault.vtp",
              encode_vtp(snapshot, facts_, VtpData::appended, neighbourhood(facts_, snapshot, particle)),
              Durability::fast);
@@ -45,6 +46,7 @@ void TimeLoop::write_end(const Status& status, int signal) {
   if (!is_done || options_.keeps_checkpoint) write_stopped_state(status);
   if (is_done && options_.keeps_checkpoint) checkpoints_.remove_all_but(checkpoints_.last());
   output(view_.step(), true);
+  if (line_) line_->end(line_files());
   const std::string damage = outputs_.damage();
   if (is_done && !damage.empty()) throw Failure(exit_input_output, damage);
   Outcome outcome;
@@ -60,9 +62,12 @@ void TimeLoop::write_end(const Status& status, int signal) {
   outcome.steps_per_contact = contact_time_of(facts_, view_.deepest_overlap()) / facts_.time_step;
   outcome.frames = outputs_.writes_frames() ? outputs_.frame_count() : -1;
   outcome.capacities = view_.capacities();
+  outcome.particle_steps = particle_steps_;
   outcome.wall_time = wall_time_before_ + seconds_since(begin_);
   outcome.kernel_time = kernel_time_;
-  if (facts_.has_gas) {
+  if (line_) {
+    outcome.line = line_->result(view_.line(), options_.duration);
+  } else if (facts_.has_gas) {
     const double g = std::hypot(facts_.gravity[0], facts_.gravity[1], facts_.gravity[2]);
     outcome.plug = plugs_.result(options_.duration, g, facts_.pipe_diameter);
   }
@@ -76,6 +81,7 @@ void TimeLoop::write_end(const Status& status, int signal) {
   if (options_.quiet) return;
   std::string text = describe_outcome(facts_, outcome);
   text += fmt::format("results in {}: summary.json, log.csv", options_.out.string());
+  for (const auto& [name, header] : LineRecord::files(facts_)) text += ", " + name;
   if (is_sound) text += ", final.fixdem";
   if (outputs_.frame_count() > 0) text += fmt::format(", frames.pvd ({} frames)", outputs_.frame_count());
   std::fputs((text + "\n").c_str(), stdout);
@@ -94,10 +100,11 @@ void TimeLoop::report_stop(const Status& status, const std::string& trouble) con
   if (status.ok())
     throw Failure(exit_unstable,
                   fmt::format("stopped at step {}: {}{}", grouped(view_.step()), watch_.stop_message(), end));
-  throw Failure(fault_exit_code(status.fault),
-                fmt::format("stopped at step {} ({:.6g} s): {}\n  {}{}", grouped(status.step),
-                            static_cast<double>(status.step) * facts_.time_step, fault_sentence(facts_, status),
-                            fault_advice(facts_, status, maximum_speed_), end));
+  throw Failure(
+      fault_exit_code(status.fault),
+      fmt::format("stopped at step {} ({:.6g} s): {}\n  {}{}", grouped(status.step),
+                  static_cast<double>(status.step) * facts_.time_step, fault_sentence(facts_, status, faulty_),
+                  fault_advice(facts_, status, maximum_speed_), end));
 }
 
 std::string TimeLoop::how_to_go_on() const {

@@ -1,13 +1,15 @@
 // A live picture of the run on the terminal: the side view in letters and the key figures, drawn over itself.
 //
 // Only where standard output is a terminal that can go back up (not TERM=dumb); elsewhere there is none, and the run
-// prints its table as always. Letters of cells that move along the pipe at more than a tenth of a metre per second are
-// coloured, unless NO_COLOR is set. At most ten pictures a second.
+// prints its table as always. A line is shown in pieces, one below the other, up to four. Letters of cells that move
+// along the pipe at more than a tenth of a metre per second are coloured, unless NO_COLOR is set. At most ten pictures
+// a second.
 #pragma once
 
 #include <chrono>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "case_facts.hpp"
 #include "log.hpp"
@@ -33,7 +35,7 @@ class Watch {
  private:
   CaseFacts facts_;
   double duration_;
-  SideView view_;
+  std::vector<SideView> views_;  ///< of the pieces of the pipe, from z = 0 on
   bool colour_;
   int lines_on_screen_ = 0;
   std::chrono::steady_clock::time_point last_{};
