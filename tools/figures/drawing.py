@@ -8,7 +8,7 @@ root = Path(__file__).parent.parent
 for part in ("report", "picture"):
     sys.path.insert(0, str(root / part))
 import report
-from side_view import axis, document, save
+from side_view import axis, document, save, save_png
 
 # Dark enough to be told from white, and apart from each other for the colour-blind, with dashes besides.
 COLOURS = ("#5b329a", "#0f7a75", "#a8470a", "#1f5fb4", "#93145f", "#4c6411", "#000000")
@@ -20,6 +20,12 @@ STYLES = {"plain": "#ffffff", "marked": "#000000"}
 def gnuplot(script, path, width=760, height=460):
     report.gnuplot(LOOK + script, path, width, height)
     print(f"{path}.svg, .png")
+
+
+def picture_of(script, path, width, height):
+    """The same of what has too many colours for lines: the SVG holds an image, and the PNG is made of it with fewer colours."""
+    report.gnuplot(LOOK + script, path, width, height)
+    save_png(path)
 
 
 class Data:
@@ -36,6 +42,13 @@ class Data:
         self.count += 1
         path = Path(self.folder.name) / f"{self.count}.dat"
         path.write_text("".join(" ".join(f"{x:.7g}" for x in row) + "\n" for row in rows))
+        return path
+
+    def binary(self, values):
+        """An array as it is."""
+        self.count += 1
+        path = Path(self.folder.name) / f"{self.count}.bin"
+        path.write_bytes(values.tobytes())
         return path
 
 

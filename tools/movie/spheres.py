@@ -41,8 +41,8 @@ class Painter:
         pixels = np.atleast_1d(radius) * self.scale
         if len(np.unique(pixels)) > self.MOST_DISCS:
             pixels = np.maximum(np.rint(4 * pixels) / 4, 0.25)
-        sizes, self.disc_of = np.unique(pixels, return_inverse=True)
-        self.discs = [Disc(r) for r in sizes]
+        self.sizes, self.disc_of = np.unique(pixels, return_inverse=True)
+        self.discs = [Disc(r) for r in self.sizes]
         self.blank = self.background()
 
     def background(self):
@@ -62,8 +62,15 @@ class Painter:
         low, high = numbers[z < self.reach], numbers[z > self.length - self.reach]
         return np.concatenate([numbers, low, high]), np.concatenate([z, z[low] + self.length, z[high] - self.length])
 
-    def paint(self, position, shares):
-        """position: particles x 3 (m); shares: 0 to 1, what each is coloured by."""
+    def nearest_discs(self, radius):
+        """For particles that come and go: of those in a picture."""
+        between = (self.sizes[1:] + self.sizes[:-1]) / 2
+        return np.searchsorted(between, np.asarray(radius) * self.scale)
+
+    def paint(self, position, shares, radius=None):
+        """position: particles x 3 (m); shares: 0 to 1, what each is coloured by; radius: of each, where they are not those of the
+        beginning."""
+        disc_of = self.disc_of if radius is None else self.nearest_discs(radius)
         image = self.blank.copy()
         view = image[self.margin : self.margin + self.rows, self.margin : self.margin + self.columns]
         numbers, z = self.images(position)
@@ -72,7 +79,7 @@ class Painter:
         row = np.rint((self.diameter / 2 - position[numbers[order], 1]) * self.scale).astype(int)
         tint = COLOURS[np.clip(shares[numbers[order]] * 255, 0, 255).astype(int)]
         for number, c, r, rgb in zip(numbers[order], column, row, tint):
-            disc = self.discs[self.disc_of[number] if len(self.disc_of) > 1 else 0]
+            disc = self.discs[disc_of[number] if len(disc_of) > 1 else 0]
             rows, columns = r + disc.dy, c + disc.dx
             seen = (rows >= 0) & (rows < self.rows) & (columns >= 0) & (columns < self.columns)
             view[rows[seen], columns[seen]] = (disc.light[seen] * rgb).astype(np.uint8)

@@ -96,9 +96,14 @@ def document(panels, pipe, styles, scale, foot, columns=1):
 
 def save(svg_text, path, colours=128):
     """path.svg and, of it, path.png with so many colours."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.with_suffix(".svg").write_text(svg_text)
+    save_png(path, colours)
+
+
+def save_png(path, colours=128):
+    """path.png, of path.svg."""
     svg, png = path.with_suffix(".svg"), path.with_suffix(".png")
-    svg.parent.mkdir(parents=True, exist_ok=True)
-    svg.write_text(svg_text)
     subprocess.run(["rsvg-convert", "--zoom", "1.2", str(svg), "--output", str(png)], check=True)
     subprocess.run(["pngquant", "--force", "--strip", "--output", str(png), str(colours), str(png)], check=True)
     print(f"{svg} ({svg.stat().st_size // 1000} kB), {png} ({png.stat().st_size // 1000} kB)")

@@ -23,36 +23,46 @@ def frame_list(pvd):
 class Appended:
     """Arrays behind the XML, each preceded by its size in bytes."""
 
-    def __init__(self, data, start, header):
-        self.data, self.at = data, data.index(b"_", start) + 1
+    def __init__(self, path, data, start, header):
+        self.path, self.data, self.at = path, data, data.index(b"_", start) + 1
         self.order = "<" if header.get("byte_order") == "LittleEndian" else ">"
         self.length_code = CODES[header.get("header_type", "UInt32")]
 
-    def values(self, offset, code):
+    def part(self, offset):
+        """The bytes of one array."""
         at = self.at + offset
         (size,) = struct.unpack_from(self.order + self.length_code, self.data, at)
-        count = size // struct.calcsize(code)
-        return struct.unpack_from(f"{self.order}{count}{code}", self.data, at + struct.calcsize(self.length_code))
+        at += struct.calcsize(self.length_code)
+        if at + size > len(self.data):
+            raise SystemExit(f"{self.path}: it is cut short: copy it again, or run the case again")
+        return self.data[at : at + size]
 
 
-def read_frame(path):
+def in_tuples(part, order, code, width):
+    """Values of an array, or tuples of `width` of them, from its bytes."""
+    values = struct.unpack(f"{order}{len(part) // struct.calcsize(code)}{code}", part)
+    return values if width == 1 else [values[i : i + width] for i in range(0, len(values), width)]
+
+
+def read_frame(path, unpack=in_tuples):
+    """`unpack`: what makes an array of its bytes, for those who want another kind of array than lists."""
     data = Path(path).read_bytes()
     start = data.find(b"<AppendedData")
     if start >= 0 and b'encoding="raw"' not in data[start : start + 80]:
         raise SystemExit(f"{path}: its appended data are not raw: not a frame of fixdem")
     header = ElementTree.fromstring(data[:start] + b"</VTKFile>" if start >= 0 else data)
-    appended = Appended(data, start, header) if start >= 0 else None
+    appended = Appended(path, data, start, header) if start >= 0 else None
     arrays = {}
     for parent in ("FieldData", "Points", "PointData"):
         for array in header.find(f".//{parent}").iter("DataArray"):
             code = CODES[array.get("type")]
             if array.get("format") == "ascii":
                 values = tuple(map(float if code in "df" else int, (array.text or "").split()))
+                order, part = "<", struct.pack(f"<{len(values)}{code}", *values)
             else:
-                values = appended.values(int(array.get("offset")), code)
-            width = int(array.get("NumberOfComponents", "1"))
+                order, part = appended.order, appended.part(int(array.get("offset")))
             name = "position" if parent == "Points" else re.sub(r"\W+", "_", array.get("Name"))
-            arrays[name] = values if width == 1 else [values[i : i + width] for i in range(0, len(values), width)]
+            arrays[name] = unpack(part, order, code, int(array.get("NumberOfComponents", "1")))
     return arrays
 
 

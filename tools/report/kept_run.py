@@ -139,6 +139,15 @@ class KeptRun:
             message = f"begun anew, because: {first}\n{message}".rstrip()
         return self.read()
 
+    def made(self):
+        """The summary of the run, brought to its end; ends the caller with its last words where it fails."""
+        if not self.is_over(self.read()):
+            record = self.complete()
+            if record["state"] != "done":
+                raise SystemExit(f"{self.program}, results in {self.folder}: exit code {record['exit_code']}\n{record['message']}")
+            print(f"{self.folder}: done", flush=True)
+        return self.summary()
+
     def is_abandoned(self, owner):
         machine, process, _ = owner.split(" ")
         if machine == socket.gethostname() and not is_alive(int(process)):

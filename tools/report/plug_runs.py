@@ -27,13 +27,7 @@ class PlugRuns:
 
     def run(self, case, seed, start_state=None, options=()):
         frames = case in PLUGS and seed == self.seeds[0]
-        run = KeptRun(self.folder(case, seed), self.programs / case, (*options, *([] if frames else ["--no-frames"])), start_state)
-        if not run.is_over(run.read()):
-            record = run.complete()
-            if record["state"] != "done":
-                raise SystemExit(f"{run.program}, results in {run.folder}: exit code {record['exit_code']}\n{record['message']}")
-            print(f"{run.folder}: done", flush=True)
-        return run.summary()
+        return KeptRun(self.folder(case, seed), self.programs / case, (*options, *([] if frames else ["--no-frames"])), start_state).made()
 
     def fill(self, case, seed):
         return self.run(case, seed, options=("--seed", str(seed)))

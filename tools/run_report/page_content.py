@@ -29,7 +29,7 @@ def time_step_verdicts(stability):
 def particle_count(case):
     """Of all species, where the case has some."""
     particles = case["particles"]
-    return sum(kind["count"] for kind in particles["species"]) if "species" in particles else particles["count"]
+    return sum(kind["count"] for kind in particles["species"]) if "species" in particles else particles.get("count", 0)
 
 
 def verdicts(summary, log, case):
@@ -55,7 +55,7 @@ def verdicts(summary, log, case):
     rows.append(entry("fixed arrays", f"{fullest[0]}: {number(use['high_water'])} of {number(use['limit'])}", "room enough" if use["high_water"] <= use["limit"] else "too small",
                       "the fullest one; a run that needs more stops", "good"))  # fmt: skip
     plug = summary["plug"]
-    if plug and particle_count(case) > 1:
+    if plug and "line" not in summary and particle_count(case) > 1:
         found = "no plug" if plug["front_velocity"] is None else (
             f"front {plug['front_velocity']:.2f} m/s, particles in it {plug['particle_velocity']:.2f} m/s, {plug['length']:.2f} m long, "
             f"layer area ratio {number(plug['layer_area_ratio'], 2)} (eq. 41: {number(plug['layer_area_ratio_eq41'], 2)})"
@@ -73,18 +73,24 @@ def verdicts(summary, log, case):
 
 def charts(log):
     """Those charts whose columns the log has; a column's name in the log is its key on the page, too."""
+    is_line = "holdup [kg]" in log
     species = {name: name.removesuffix(" [m/s]") for name in log if name.startswith("mean axial velocity of ")}
     every = [
+        ("Mass in, out and in the pipe", "kg", "", {"mass fed [kg]": "fed", "mass that has left [kg]": "has left", "holdup [kg]": "in the pipe", "backlog [kg]": "waits to be fed"}, ""),
+        ("Mass flow", "kg/s", "", {"asked rate [kg/s]": "asked for", "accepted rate [kg/s]": "fed", "leaving rate [kg/s]": "leaves"}, "Since the row of the log before."),
+        ("Particles in the pipe", "", "", {"present": "present"}, ""),
         ("Kinetic energy", "J", "log", {"kinetic energy translation [J]": "translation", "kinetic energy rotation [J]": "rotation"}, ""),
         ("Coordination number", "", "", {"coordination number": "contacts of a particle"}, "Two for a pair, one for a wall, over the particles."),
         ("Pressure drop over the pipe", "Pa", "", {"pressure drop [Pa]": "pressure drop"}, ""),
-        ("Where the plug is", "m", "points", {"plug front [m]": "front", "plug length [m]": "length"}, "Leaving at one end, the front enters at the other."),
+        ("The longest plug" if is_line else "Where the plug is", "m", "points", {"plug front [m]": "front", "plug length [m]": "length"},
+         "Of each moment; the table below follows one after another." if is_line else "Leaving at one end, the front enters at the other."),
         ("Velocities", "m/s", "", {"max speed [m/s]": "maximum speed", "plug particle velocity [m/s]": "particles in the plug",
                                     "mean axial velocity [m/s]": "mean axial", **species}, ""),
         ("Stationary layer", "", "", {"layer area ratio": "layer area ratio"}, "Solids fraction outside the plug over that inside."),
         ("Maximum overlap and time step", "", "log", {"max overlap / radius": "overlap over radius", "time step / stable step": "time step over the stable one"}, ""),
         ("Energy ledger", "J", "", {"gas work [J]": "work of the gas", "gravity work [J]": "work of gravity", "dissipated by damping [J]": "lost by damping",
                                     "dissipated by sliding [J]": "lost by sliding", "dissipated by rolling [J]": "lost by rolling", "made by the tangential law [J]": "made by the tangential law", "kinetic": "kinetic", "elastic energy [J]": "elastic"}, ""),
+        ("Energy of particles fed and gone", "J", "", {"energy fed [J]": "fed", "energy that has left [J]": "has left"}, "Kinetic and elastic; entries of the ledger."),
     ]  # fmt: skip
     found = []
     for title, unit, form, lines, note in every:
@@ -108,6 +114,9 @@ def ledger(summary, log):
             ("lost by sliding", energy["dissipated_sliding"])]
     if "rolling" in energy:
         went.append(("lost by rolling", energy["rolling"]))
+    if "entered" in energy:
+        came.append(("with particles that were fed", energy["entered"]))
+        went.append(("with particles that have left", energy["left_with"]))
     missing = sum(v or 0 for _, v in went) - sum(v or 0 for _, v in came)
     rows = [(name, "came in", number(value, 4)) for name, value in came if value is not None]
     rows += [(name, "went out or is there", number(value, 4)) for name, value in went]
@@ -148,6 +157,9 @@ def facts(summary, case):
                 add(f"[[{name}.species]]", kind)
             if "sizes" in values:
                 add(f"[{name}.sizes]", values["sizes"])
+        elif isinstance(values, list):
+            for part in values:
+                add(f"[[{name}]]", part)
     rows.append(("compiled in", " ".join(summary["features"]).replace("_", " ") + f", {summary['precision']} precision"))
     rows.append(("final state", f"hash {summary['final']['state_hash']}"))
     return table("the case", ("part", "values, SI units"), rows)

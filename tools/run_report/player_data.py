@@ -5,6 +5,10 @@ Positions are 16-bit numbers over the box that holds all frames (0.8 m: steps of
 (modulo 2^16 or 2^8), positions as a plane of low and a plane of high bytes: neighbours in the stream are then alike. What a
 particle keeps comes once, at the end: where sizes differ, diameters as 16-bit numbers and, of species, 8-bit numbers. The page
 undoes it (source/frames.js). Where frames are too many, every second, third ... is left out; then particles, likewise.
+
+In an open line particles come and go (line_frames.py): what a particle keeps is laid out like positions then, for a row of the
+arrays has one particle after another, and serial numbers follow at the end, 32-bit ones in four planes. A pipe that is long is seen in
+parts, in which particles soon are missed less than a smooth way: frames stay and particles are left out first.
 """
 
 import base64
@@ -14,6 +18,7 @@ import numpy as np
 
 BUDGET = 9_500_000  # bytes after deflate: 12.7 MB as base64, which leaves room for the rest of a page of 15 MB
 SMALLEST_SERIES = 60  # frames: below that, particles are left out instead
+SMALLEST_LINE_SERIES = 240  # the same of a line
 
 
 def quantised(values, levels):
@@ -31,26 +36,27 @@ def differences(numbers):
 
 
 def planes(numbers):
-    """The bytes of 16-bit numbers: all low ones, then all high ones."""
-    return (numbers & 0xFF).astype(np.uint8).tobytes() + (numbers >> 8).astype(np.uint8).tobytes()
+    """The bytes of numbers of several: the lowest of all, then the next."""
+    return b"".join((numbers >> 8 * k & 0xFF).astype(np.uint8).tobytes() for k in range(numbers.itemsize))
 
 
 def encode_own(own):
-    """Bytes of what each particle keeps, and what the page has to know of them."""
+    """Bytes of what each particle keeps, or each in a row of a line, and what the page has to know of them."""
     stream, about = [], {}
+    laid_out = differences if own and next(iter(own.values())).ndim > 1 else np.array
     if "diameter" in own:
         numbers, low, step = quantised(own["diameter"], 65536)
-        stream.append(planes(numbers))
+        stream.append(planes(laid_out(numbers)))
         about["diameter"] = {"low": low, "step": step, "high": float(own["diameter"].max())}
     if "species" in own:
-        stream.append(own["species"].astype(np.uint8).tobytes())
+        stream.append(laid_out(own["species"].astype(np.uint8)).tobytes())
         about["species"] = {"low": 0, "step": 1, "high": len(own["names"]) - 1, "names": own["names"]}
     return stream, about
 
 
-def encode(times, position, velocity, contacts, own):
-    """position, velocity: frames x particles x 3; contacts: frames x particles; own: see pack(). What the page needs, ready for
-    JSON."""
+def encode(times, position, velocity, contacts, own, serial=None):
+    """position, velocity: frames x particles x 3; contacts: frames x particles; own: see pack(); serial: see pack_line(). What the
+    page needs, ready for JSON."""
     stream, scale = [], {}
     for axis, name in enumerate("xyz"):
         numbers, low, step = quantised(position[:, :, axis], 65536)
@@ -64,24 +70,50 @@ def encode(times, position, velocity, contacts, own):
         stream.append(differences(numbers).tobytes())
         scale[name] = {"low": low, "step": step, "high": float(values.max())}
     own_stream, own_scale = encode_own(own)
-    packed = zlib.compress(b"".join(stream + own_stream), 9)
     about = {"times": [float(f"{time:.9g}") for time in times], "particles": position.shape[1], "scale": scale}
-    return about | ({"own": own_scale} if own_scale else {}), packed
+    about |= {"own": own_scale} if own_scale else {}
+    if serial is not None:
+        own_stream.append(planes(differences(serial.astype(np.uint32))))
+        about["last_serial"] = int(serial.max()) - 1
+    return about, zlib.compress(b"".join(stream + own_stream), 9)
+
+
+def fitted(encoded, of_frames, budget, fewest):
+    """encoded(every, share), as much of it as fits: description and frames as base64 text, with what was left out."""
+    every, share = 1, 1
+    while True:
+        about, packed = encoded(every, share)
+        if len(packed) <= budget:
+            return about | {"every": every, "share": share, "of_frames": of_frames}, base64.b64encode(packed).decode()
+        over = len(packed) / budget
+        if len(about["times"]) > fewest:
+            every = max(every + 1, min(int(every * over), of_frames // fewest))
+        else:
+            share = max(share + 1, int(share * over))
 
 
 def pack(times, position, velocity, contacts, budget=BUDGET, own=None):
     """encode() of as much as fits: the description with what was left out, and the frames as base64 text. own: `diameter` (m) and
     `species` of each particle and the `names` of the species, as far as particles differ in them."""
-    every, share = 1, 1
     own = own or {}
-    while True:
-        kept = slice(None, None, every)
+
+    def encoded(every, share):
         own_kept = {name: values if name == "names" else values[::share] for name, values in own.items()}
-        about, packed = encode(times[kept], position[kept, ::share], velocity[kept, ::share], contacts[kept, ::share], own_kept)
-        if len(packed) <= budget:
-            about |= {"every": every, "share": share, "of_frames": len(times), "of_particles": position.shape[1]}
-            return about, base64.b64encode(packed).decode()
-        if len(about["times"]) > SMALLEST_SERIES:
-            every += 1
-        else:
-            share += 1
+        return encode(times[::every], position[::every, ::share], velocity[::every, ::share], contacts[::every, ::share], own_kept)
+
+    about, text = fitted(encoded, len(times), budget, SMALLEST_SERIES)
+    return about | {"of_particles": position.shape[1]}, text
+
+
+def pack_line(line, budget=BUDGET, names=None):
+    """The same of LineFrames; names: of the species. A share of the particles is drawn larger, so that they fill the pipe as all do."""
+
+    def encoded(every, share):
+        rows = line.rows(every, share)
+        own = {"diameter": 2 * rows["radius"]} if names or len(line.radii) > 1 else {}
+        own |= {"species": rows["species"], "names": names} if names else {}
+        return encode(rows["times"], rows["position"], rows["velocity"], rows["contacts"], own, rows["serial"])
+
+    about, text = fitted(encoded, len(line.times), budget, SMALLEST_LINE_SERIES)
+    about["share"] *= line.share
+    return about | {"of_particles": line.most, "drawn": about["share"] ** (1 / 3)}, text

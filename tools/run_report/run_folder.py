@@ -1,6 +1,5 @@
 """What a run leaves in its folder, read for the page: summary, log as columns, frames as arrays, solids fraction by slices."""
 
-import csv
 import json
 import sys
 from pathlib import Path
@@ -19,13 +18,6 @@ def read_summary(run):
     if not path.exists():
         raise SystemExit(f"fixdem: {path} is missing: run the case first, or give its folder as OUT=...")
     return json.loads(path.read_text())
-
-
-def read_log(run):
-    """Column name -> list of values, None where a cell is empty."""
-    with (run / "log.csv").open(newline="") as file:
-        head, *rows = csv.reader(file)
-    return {name: [float(row[k]) if row[k] else None for row in rows] for k, name in enumerate(head)}
 
 
 def read_frames(run):
@@ -54,16 +46,16 @@ def slices_of(pipe, frames):
     return min(MOST_SLICES, gradients.shape[1] if gradients is not None else fitting)
 
 
-def solids_fraction(pipe, frames, slices):
-    """frames x slices: volume of the particles whose centres are in a slice, over that of the slice."""
+def solids_fraction(pipe, places, radii, slices):
+    """frames x slices: volume of the particles whose centres are in a slice, over that of the slice; places, radii: z and radius
+    of the particles in each frame."""
     volume = np.pi / 4 * pipe["diameter"] ** 2 * pipe["length"] / slices
     edges = np.linspace(0, pipe["length"], slices + 1)
-    solids = 4 / 3 * np.pi * frames["radius"] ** 3
-    found = [np.histogram(np.clip(z, 0, pipe["length"]), edges, weights=solids)[0] for z in frames["position"][:, :, 2]]
+    found = [np.histogram(np.clip(z, 0, pipe["length"]), edges, weights=4 / 3 * np.pi * r**3)[0] for z, r in zip(places, radii)]
     return np.array(found) / volume
 
 
-def gradient_by_slices(frames, slices):
+def by_slices(values, slices):
     """frames x slices: means over neighbouring slices of the gas where there are more than `slices`."""
-    parts = np.array_split(frames["pressure_gradient"], slices, axis=1)
-    return np.array([part.mean(axis=1) for part in parts]).T
+    edges = np.rint(np.linspace(0, values.shape[1], slices + 1)).astype(int)
+    return np.add.reduceat(values, edges[:-1], axis=1) / np.diff(edges)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """One page (HTML, self-contained) about one run, built from what it left in its folder: make report CASE=...
 
-run_folder.py reads, page_content.py words, page_parts.py lays out, player_data.py packs the frames; source/ is bundled into
-page.js and page.css (tools/make/run_report.mk). The page opens from disk and asks no network for anything, which its own
+run_folder.py reads, page_content.py words, page_parts.py lays out, player_data.py packs the frames; run_content.py brings together what
+differs between an open line (line_content.py, line_frames.py) and all other cases; source/ is bundled into page.js and page.css (tools/make/run_report.mk). The page opens from disk and asks no network for anything, which its own
 content security policy enforces.
 """
 
@@ -17,14 +17,15 @@ from html import escape
 from pathlib import Path
 from string import Template
 
-import numpy as np
-
 sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
 
 import page_content
 import page_parts
 import player_data
 import run_folder
+from columns import read_columns
+from line_content import LineContent
+from run_content import RunContent
 
 LARGEST = 15_000_000  # bytes
 OTHER_REPORTS = {"stability.md": "how far the scene is from instability", "frontier.md": "error against run time"}
@@ -38,47 +39,25 @@ def about_program(program):
     return dict(re.findall(r"^([\w ]+):\s+(.*)$", text, re.M))
 
 
-def map_data(ident, name, title, unit, times, values, length, high=None):
-    rounded = [[float(f"{v:.3g}") for v in row] for row in values]
-    low, top = min(0.0, float(values.min())), float(values.max()) if high is None else high
-    unit_above = " and more" if top < values.max() else ""
-    return {"above": unit_above, "id": ident, "name": name, "title": title, "unit": unit, "times": times, "values": rounded, "low": low, "high": top, "length": length}
-
-
-def own_values(frames, summary):
-    """What particles differ in, for the player: nothing where all are equal."""
-    if frames["radius"].min() == frames["radius"].max() and frames["species"] is None:
-        return {}
-    own = {"diameter": 2 * frames["radius"]}
-    if frames["species"] is not None:
-        own |= {"species": frames["species"], "names": [species["name"] for species in summary["species"]]}
-    return own
-
-
-def maps(pipe, frames):
-    slices = run_folder.slices_of(pipe, frames)
-    times = [round(float(time), 9) for time in frames["times"]]
-    solids = run_folder.solids_fraction(pipe, frames, slices)
-    found = [map_data("map-solids", "solids fraction", "Solids fraction", "", times, solids, pipe["length"])]
-    if frames["pressure_gradient"] is not None:
-        gradient = run_folder.gradient_by_slices(frames, slices)
-        found.append(map_data("map-gradient", "pressure gradient", "Pressure gradient of the gas", "Pa/m", times, gradient, pipe["length"], float(np.percentile(gradient, 99))))
-    return found
-
-
 def directions(case):
     gravity = case.get("run", {}).get("gravity", [0, -9.81, 0])
     down = max(range(3), key=lambda k: abs(gravity[k]))
     words = (("towards the viewer", "away from the viewer"), ("downwards", "upwards"), ("to the left", "to the right"))[down][gravity[down] > 0]
     text = f"Seen from the side, gravity points {words}" if any(gravity) else "There is no gravity"
+    if raised := case["pipe"].get("inclination"):
+        text = f"The pipe rises to the right by {raised:g} degrees, which the picture does not show"
     if "gas" in case:
-        text += f"; the gas flows to the {'right' if case['gas']['bulk_velocity'] >= 0 else 'left'}"
+        velocity = case["gas"].get("bulk_velocity", 1)
+        first = velocity[0][1] if isinstance(velocity, list) else velocity
+        text += f"; the gas flows to the {'right' if first >= 0 else 'left'}"
     return text + "."
 
 
 def links(run, page, case_name, reports):
     here = page.parent
-    files = [("summary.json", "the figures of this page"), ("log.csv", "every row of the charts"), ("frames.pvd", "for ParaView")]
+    files = [("summary.json", "the figures of this page"), ("log.csv", "every row of the charts"), ("frames.pvd", "for ParaView"),
+             ("contacts.pvd", "the contact forces, for ParaView"), ("plugs.csv", "every plug"), ("slices.bin", "slices along the pipe, for tools/report/slices.py")]
+    files += [(path.name, "a station") for path in sorted(run.glob("probe_*.csv"))]
     found = [(run / name, text) for name, text in files] + [(reports / case_name / name, text) for name, text in OTHER_REPORTS.items()]
     items = [f'<li><a href="{escape(os.path.relpath(path, here))}">{path.name}</a>: {text}</li>' for path, text in found if path.exists()]
     return f"<ul>{''.join(items)}</ul>"
@@ -86,21 +65,15 @@ def links(run, page, case_name, reports):
 
 def build(arguments):
     run = arguments.run
-    summary, log = run_folder.read_summary(run), run_folder.read_log(run)
+    summary, log = run_folder.read_summary(run), read_columns(run / "log.csv")
     case = tomllib.loads(arguments.case.read_text())
     version = about_program(arguments.program)
     log["kinetic"] = [a + b for a, b in zip(log["kinetic energy translation [J]"], log["kinetic energy rotation [J]"])]
-    frames = run_folder.read_frames(run)
     pipe = {"diameter": case["pipe"]["diameter"], "length": case["pipe"]["length"], "periodic": case["pipe"]["ends"] == "periodic"}
-    data = {
-        "end": log["time [s]"][-1], "radius": float(frames["radius"].max()) if frames else None, "pipe": pipe, "directions": directions(case),
-        "log": {"time": "time [s]", "columns": log}, "charts": page_content.charts(log), "maps": [], "frames": None,
-    }  # fmt: skip
-    packed, player = "", "<h2>The particles</h2><p>The run wrote no frames: set frame_interval in [output] of the case.</p>"
-    if frames:
-        own = own_values(frames, summary)
-        data["frames"], packed = player_data.pack(frames["times"], frames["position"], frames["velocity"], frames["contacts"], arguments.budget, own)
-        data["maps"] = maps(pipe, frames)
+    content = (LineContent if case["pipe"]["ends"] == "open" else RunContent)(run, case, pipe, summary, log, arguments.budget)
+    data = {"end": log["time [s]"][-1], "pipe": pipe, "directions": directions(case), "log": {"time": "time [s]", "columns": log}} | content.data
+    player = "<h2>The particles</h2><p>The run wrote no frames: set frame_interval in [output] of the case.</p>"
+    if data["frames"]:
         player = page_parts.player(data, data["frames"])
     stale = summary["case_hash"] not in version.get("case", summary["case_hash"])
     about = f"Case {summary['case']}, {summary['integrator']} at {summary['time_step']:g} s"
@@ -110,24 +83,24 @@ def build(arguments):
         title=escape(case.get("title", summary["case"])),
         about=about + ".",
         style=(arguments.bundle / "page.css").read_text(),
-        verdicts=page_parts.verdict_table(page_content.verdicts(summary, log, case)),
+        verdicts=page_parts.verdict_table(content.verdicts),
         player=player,
         charts=page_parts.charts(data["charts"]),
-        maps=page_parts.maps(data["maps"]) if data["maps"] else "",
+        maps=page_parts.maps(data["maps"], content.overlay) + content.plugs,
         ledger="<h2>Energy</h2>" + page_content.ledger(summary, log),
         performance=page_content.performance(summary, version),
         capacity=page_content.capacity(summary),
         facts=page_content.facts(summary, case),
         links=links(run, arguments.page, summary["case"], arguments.reports),
         data=json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c"),
-        frames=packed,
+        frames=content.packed,
         script=(arguments.bundle / "page.js").read_text(),
     )
     size = len(page.encode())
     if size > LARGEST:
         raise SystemExit(f"fixdem: the page would be {size / 1e6:.1f} MB, more than {LARGEST / 1e6:.0f}: write the log less often")
     arguments.page.write_text(page)
-    print(f"{arguments.page}: {size / 1e6:.2f} MB" + (f", {len(data['frames']['times'])} frames of {data['frames']['particles']} particles" if frames else ""))
+    print(f"{arguments.page}: {size / 1e6:.2f} MB" + (f", {len(data['frames']['times'])} frames of {data['frames']['particles']} particles" if data["frames"] else ""))
 
 
 def main():

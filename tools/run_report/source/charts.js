@@ -23,11 +23,11 @@ function axis(label, size) {
 }
 
 export function drawCharts(run, clock) {
-  const times = run.log.columns[run.log.time];
   return run.charts.map((chart) => {
+    const {columns, time: timeName} = run[chart.source ?? 'log'], times = columns[timeName];
     const box = document.getElementById(chart.id);
     if (chart.points) box.classList.add('points');
-    box.setAttribute('aria-label', inWords(chart, times, run.log.columns));
+    box.setAttribute('aria-label', inWords(chart, times, columns));
     const positive = (values) => chart.log ? values.map((value) => value > 0 ? value : null) : values;
     const plot = new uPlot({
       width: box.clientWidth,
@@ -41,9 +41,10 @@ export function drawCharts(run, clock) {
         width: chart.points ? 0 : 1.8,
         dash: dashes[k],
         points: {show: Boolean(chart.points), size: 5, fill: () => pageColour(k ? 'paper' : 'line-1')},
+        spanGaps: Boolean(chart.source),  // stations have times of their own
         value: (_, value) => short(value),
       }))],
-    }, [times, ...chart.lines.map(({column}) => positive(run.log.columns[column]))], box);
+    }, [times, ...chart.lines.map(({column}) => positive(columns[column]))], box);
 
     const line = document.createElement('div');
     line.className = 'moment';

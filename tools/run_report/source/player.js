@@ -1,6 +1,7 @@
 // The player: the scene at a moment of the clock, and its controls. Everything that the mouse does has a key or a control:
 // space plays, comma and full stop step by a frame, arrows turn the view, plus and minus go nearer and away.
 
+import {Along} from './along.js';
 import {gradient, short} from './colours.js';
 import {Scene} from './scene.js';
 
@@ -11,6 +12,7 @@ const scales = {
   speed: {name: 'speed', unit: 'm/s'},
   contacts: {name: 'contacts', unit: ''},
   id: {name: 'number in input order', unit: ''},
+  serial: {name: 'number in order of entry', unit: ''},
   species: {name: 'species', unit: ''},
   diameter: {name: 'diameter', unit: 'm'},
 };
@@ -19,6 +21,7 @@ export class Player {
   constructor(frames, run, clock) {
     this.frames = frames;
     this.clock = clock;
+    this.run = run;
     this.period = run.pipe.periodic ? run.pipe.length : 0;
     this.canvas = byId('stage');
     this.scene = new Scene(this.canvas, {radii: frames.radii(run.radius), pipe: run.pipe});
@@ -27,14 +30,17 @@ export class Player {
     byId('scale-bar').style.background = gradient();
     this.connect();
     this.choose();
-    // As high as the pipe asks for when it is seen from the side.
-    new ResizeObserver(() => {
-      const width = this.canvas.clientWidth;
-      const height = Math.min(Math.max(1.5 * width * run.pipe.diameter / run.pipe.length, 260), 460);
-      this.canvas.style.height = `${height}px`;
-      this.scene.resize(width, height);
-    }).observe(this.canvas);
+    new ResizeObserver(() => this.fit()).observe(this.canvas);
+    if (run.line) this.along = new Along(run, clock, this);
     clock.follow((time) => this.show(time));
+  }
+
+  // As high as the pipe, or the part of it that is shown, asks for when it is seen from the side.
+  fit() {
+    const width = this.canvas.clientWidth;
+    const height = Math.min(Math.max(1.5 * width * this.run.pipe.diameter / this.scene.part.length, 260), 460);
+    this.canvas.style.height = `${height}px`;
+    this.scene.resize(width, height);
   }
 
   connect() {
@@ -107,20 +113,27 @@ export class Player {
   // Another quantity to colour by: the scale below says what its ends mean.
   choose() {
     const name = byId('colour').value;
-    const range = name === 'id' ? {low: 0, high: (this.frames.particles - 1) * this.frames.share} : this.frames.rangeOf(name);
-    const {names} = range;
+    const {frames} = this, last = frames.lastSerial ?? (frames.particles - 1) * frames.share;
+    const range = name === 'id' ? {low: 0, high: last} : frames.rangeOf(name);
+    const {names} = range, scale = scales[name === 'id' && frames.serials ? 'serial' : name];
     byId('scale-low').textContent = names ? names[0] : short(range.low);
-    byId('scale-high').textContent = names ? names.at(-1) : `${short(range.high)} ${scales[name].unit}`;
-    byId('scale-name').textContent = names?.length > 2 ? `species ${names.join(', ')}:` : scales[name].name;
+    byId('scale-high').textContent = names ? names.at(-1) : `${short(range.high)} ${scale.unit}`;
+    byId('scale-name').textContent = names?.length > 2 ? `species ${names.join(', ')}:` : scale.name;
     this.show(this.clock.time);
   }
 
   show(time) {
     const {frames, scene} = this;
-    const frame = frames.placesAt(time, scene.centres, this.period);
+    if (frames.serials) {
+      frames.placesInLine(time, scene.centres, this.run.pipe.length);
+      frames.radii(this.run.radius, scene.radii);
+      this.along?.follow(time);
+    } else {
+      frames.placesAt(time, scene.centres, this.period);
+    }
     const name = byId('colour').value;
-    if (name === 'id') scene.shares.forEach((_, i, shares) => (shares[i] = i / Math.max(1, frames.particles - 1)));
-    else frames.sharesAt(frame, name, scene.shares);
+    if (name === 'id') frames.numberShares(scene.shares);
+    else frames.shares(name, scene.shares);
     scene.update();
     ++this.drawn;
     byId('time').value = time;

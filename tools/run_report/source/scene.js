@@ -60,6 +60,7 @@ export class Scene {
     this.scene = new three.Scene();
     this.camera = new three.PerspectiveCamera(20, 2, 0.01, 100);
     this.pipe = pipe;
+    this.part = {begin: 0, length: pipe.length};  // what the camera has before it, m
     this.radii = radii;
     const particles = radii.length;
 
@@ -68,7 +69,7 @@ export class Scene {
     this.shares = new Float32Array(particles);
     geometry.setAttribute('centre', new three.InstancedBufferAttribute(this.centres, 3).setUsage(three.DynamicDrawUsage));
     geometry.setAttribute('share', new three.InstancedBufferAttribute(this.shares, 1).setUsage(three.DynamicDrawUsage));
-    geometry.setAttribute('size', new three.InstancedBufferAttribute(radii, 1));
+    geometry.setAttribute('size', new three.InstancedBufferAttribute(radii, 1).setUsage(three.DynamicDrawUsage));
     geometry.instanceCount = particles;
     this.uniforms = {cut: {value: false}, colours: {value: colourTexture()}};
     const spheres = new three.Mesh(geometry, new three.ShaderMaterial({uniforms: this.uniforms, vertexShader, fragmentShader}));
@@ -83,9 +84,10 @@ export class Scene {
     this.view('side');
   }
 
-  // Rings at the ends and every tenth of a metre at most ten, two lines along: what a glass pipe shows of itself.
+  // Rings at the ends and seven between them, two diameters apart where the pipe is long, four lines along: what a glass pipe shows
+  // of itself.
   addPipe({diameter, length}) {
-    const points = [], radius = diameter / 2, rings = 8;
+    const points = [], radius = diameter / 2, rings = Math.min(Math.max(8, Math.round(length / (2 * diameter))), 400);
     for (let ring = 0; ring <= rings; ++ring)
       for (let k = 0; k < 48; ++k)
         for (const turn of [k, k + 1]) {
@@ -99,8 +101,8 @@ export class Scene {
   }
 
   view(name) {
-    const {diameter, length} = this.pipe;
-    const middle = new three.Vector3(0, 0, length / 2);
+    const {diameter} = this.pipe, {begin, length} = this.part;
+    const middle = new three.Vector3(0, 0, begin + length / 2);
     const away = new three.Vector3(...{side: [-1, 0, 0], oblique: [-0.9, 0.28, -0.35], end: [0, 0, -1]}[name]).normalize();
     this.controls.target.copy(middle);
     let distance = name === 'end' ? length / 2 + diameter : diameter;
@@ -114,10 +116,21 @@ export class Scene {
     this.request();
   }
 
-  // Of the box around the pipe.
+  // Has another part of the pipe before it: the camera goes along, as it stands, or is placed anew when the part is longer or shorter.
+  look(begin, length) {
+    const way = begin - this.part.begin, isAsLong = length === this.part.length;
+    this.part = {begin, length};
+    if (!isAsLong) return this.view(this.lastView || 'side');
+    this.camera.position.z += way;
+    this.controls.target.z += way;
+    this.controls.update();
+    this.request();
+  }
+
+  // Of the box around the part of the pipe.
   corners() {
-    const {diameter, length} = this.pipe, radius = diameter / 2;
-    return [0, length].flatMap((z) => [-radius, radius].flatMap((y) => [-radius, radius].map((x) => new three.Vector3(x, y, z))));
+    const {begin, length} = this.part, radius = this.pipe.diameter / 2;
+    return [begin, begin + length].flatMap((z) => [-radius, radius].flatMap((y) => [-radius, radius].map((x) => new three.Vector3(x, y, z))));
   }
 
   // Turns by angles (rad) to the right and upwards, and goes nearer by a factor.
@@ -144,6 +157,7 @@ export class Scene {
   update() {
     this.geometry.getAttribute('centre').needsUpdate = true;
     this.geometry.getAttribute('share').needsUpdate = true;
+    this.geometry.getAttribute('size').needsUpdate = true;
     this.request();
   }
 
