@@ -20,10 +20,17 @@ struct Events {
   int begun = 0, ended = 0, sliding = 0, sticking = 0, rolling = 0, held = 0, compared = 0;
 };
 
+/// Partners below zero are walls.
+template <class Case>
+auto coefficients_of(const reference::Reference<Case>& program, int owner, int partner) {
+  return reference::contact_coefficients<Case, double>(program.kind(owner),
+                                                       partner < 0 ? partner : program.kind(partner));
+}
+
 /// `c`: of the reference.
 template <class Case>
-void count_contact(const reference::Contact& c, Events& events) {
-  const auto k = reference::contact_coefficients<Case, double>(c.owner, c.partner);
+void count_contact(const reference::Reference<Case>& program, const reference::Contact& c, Events& events) {
+  const auto k = coefficients_of(program, c.owner, c.partner);
   const double elastic = k.normal_stiffness * std::pow(c.overlap, Case::normal == NormalLaw::hertz ? 1.5 : 1);
   const double limit =
       k.friction * (reference::friction_is_limited_by_elastic_force<Case>() ? elastic : std::abs(c.normal_force));
@@ -42,7 +49,8 @@ struct StandingContact {
   StandingContact(const reference::Reference<Case>& program, int owner, int partner) {
     const bool is_pair = partner >= 0;
     const Body a(program.particle(owner)), b = is_pair ? Body(program.particle(partner)) : Body();
-    const auto bodies = reference::bodies_of_contact<Case, double>(owner, partner);
+    const auto bodies =
+        reference::bodies_of_contact<Case, double>(program.kind(owner), is_pair ? program.kind(partner) : partner);
     const double radius = bodies.i.radius, other_radius = bodies.j.radius;
     if (is_pair) {
       const Vector between(b.x[0] - a.x[0], b.x[1] - a.x[1], axial_difference<Case>(b.x[2], a.x[2]));
@@ -87,7 +95,7 @@ double difference_of_contacts(const Kernel& fast, const reference::Reference<Cas
     const bool is_pair = c.partner >= 0, is_swapped = is_pair && c.partner < c.owner;
     const int owner = is_swapped ? c.partner : c.owner, partner = is_swapped ? c.owner : c.partner;
     const double sign = is_swapped ? -1 : 1;  // of what slides; what rolls is the same from either side
-    const auto k = reference::contact_coefficients<Case, double>(owner, partner);
+    const auto k = coefficients_of(slow, owner, partner);
     const StandingContact<Case> now(slow, owner, partner);
     const auto found = kept.find({owner, partner});
     Vector sliding = Vector::Zero(), rolling = Vector::Zero();

@@ -121,7 +121,7 @@ TEST_CASE("fault: more contacts than spheres that do not overlap can have") {
   REQUIRE(contacts > limit);
   auto& s = simulation.state();
   const Status status =
-      renew<squeezed, native_lanes>(s.contacts, s.near_list, s.particles, s.before.kept, s.scratch, s.step);
+      renew<squeezed, native_lanes>(s.contacts, s.near_list, s.particles, s.before.kept, s.scratch, s.line, s.step);
   check_status(status, {Fault::history_capacity, -1, static_cast<double>(contacts), static_cast<double>(limit)});
   CHECK(guarded<squeezed>().intact());
 }

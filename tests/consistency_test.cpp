@@ -11,7 +11,7 @@
 
 #include "cases/settle.hpp"
 #include "guarded.hpp"
-#include "scenes.hpp"
+#include "line_scenes.hpp"
 #include "small_gas_scene.hpp"
 
 using namespace fixdem::tests;
@@ -26,7 +26,10 @@ class Hostile {
  public:
   Hostile() : object_(guarded<Case>()), chance_(seed()) {
     enter({Case::name, seed()});
-    place_all(object_.simulation, layered_spheres<Case>(Case::pipe_length / 7, 0.5, Random(seed())));
+    if constexpr (is_line<Case>)
+      place_all(object_.simulation, spheres_of_line<Case>(0.5, 1, Random(seed())));
+    else
+      place_all(object_.simulation, layered_spheres<Case>(Case::pipe_length / 7, 0.5, Random(seed())));
     REQUIRE(object_.simulation.start().ok());
     for (int age : {0, 1, 15, 16, 700, 1500}) {
       REQUIRE(object_.simulation.run(age).ok());
@@ -100,6 +103,11 @@ void attack() {
   hostile.change("status", s.status);
   if constexpr (Case::has_wall) hostile.change("walls", s.contacts.pipe);
   if constexpr (Derived<Case>::has_ends) hostile.change("ends", s.contacts.ends);
+  if constexpr (is_line<Case>) {
+    hostile.change("rows in use", s.particles.slots.rows_in_use);
+    hostile.change("slots of particles", s.particles.slots);
+    hostile.change("books of the line", s.line);
+  }
   CHECK(hostile.refused > trials);
 }
 
@@ -107,6 +115,7 @@ void attack() {
 
 TEST_CASE("consistency: a periodic pipe with gas") { attack<small_gas>(); }
 TEST_CASE("consistency: a closed pipe") { attack<small_closed>(); }
+TEST_CASE("consistency: an open line") { attack<in_two_species<short_line>>(); }
 
 TEST_CASE("consistency: single promises of a state") {
   static Hostile<small_gas> hostile;

@@ -3,10 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "cases/plug_u24.hpp"
+#include "gas_pipes.hpp"
 #include "kernel/fixdem.hpp"
-#include "reference/gas_reference.hpp"
-#include "scenes.hpp"
 
 namespace fixdem::tests {
 namespace {
@@ -18,6 +16,15 @@ struct hard_plug : plug {
 };
 struct strict_plug : plug {
   static constexpr BedHeight gas_bed_height = BedHeight::strict;
+};
+struct wide_gap : plug {
+  static constexpr double gas_full_gap = 0.014;
+};
+struct narrow_gap : plug {
+  static constexpr double gas_full_gap = 0.003;
+};
+struct narrow_hard_gap : hard_plug {
+  static constexpr double gas_full_gap = 0.003;
 };
 struct fine_bed : plug {
   static constexpr double gas_bed_diameter = 0.003;
@@ -67,40 +74,12 @@ TEST_CASE("gas: the power 0.687 to 1e-12") {
   CHECK(power<687, 1000>(0.0) >= 0);
 }
 
-/// One slice of the kernel with the given bed.
 template <class Case, int W>
-reference::SliceFlow<double> kernel_flow(const reference::SliceBed<double>& bed) {
-  static GasSlices<Case> gas;
-  for (int s = 0; s < gas.padded; ++s) {
-    gas.particles[s] = bed.count;
-    gas.axial_velocity_sum[s] = bed.count * bed.velocity;
-    gas.height[s] = bed.count > 0 ? bed.top : 0;
-  }
-  const double residual = detail::solve_slices<Case, W>(gas, 0, W);
-  CHECK(residual < 1e-12);
-  reference::SliceFlow<double> flow;
-  flow.pressure_gradient = gas.pressure_gradient[0];
-  flow.bed_area = gas.bed_area[0];
-  flow.void_fraction = gas.void_fraction[0];
-  flow.velocity_above = gas.velocity_above[0];
-  flow.velocity_in_bed = gas.velocity_in_bed[0];
-  return flow;
-}
-
-template <class Case, int W>
-void check_flow(const reference::SliceBed<double>& bed) {
-  const auto found = kernel_flow<Case, W>(bed);
-  const auto expected = reference::slice_flow<Case>(bed);
+void check_flow(const Bed& bed) {
   CAPTURE(bed.count);
   CAPTURE(bed.velocity);
   CAPTURE(bed.top);
-  CHECK(found.bed_area == doctest::Approx(expected.bed_area).epsilon(1e-11).scale(1e-4));
-  CHECK(found.void_fraction == doctest::Approx(expected.void_fraction).epsilon(1e-11));
-  // The gradient of a bed that moves almost with the gas is a difference: absolute floor 1e-9 Pa/m.
-  CHECK(std::abs(found.pressure_gradient - expected.pressure_gradient) <=
-        1e-10 * std::abs(expected.pressure_gradient) + 1e-9);
-  CHECK(found.velocity_above == doctest::Approx(expected.velocity_above).epsilon(1e-10));
-  if (bed.count > 0) CHECK(found.velocity_in_bed == doctest::Approx(expected.velocity_in_bed).epsilon(1e-10));
+  check_same_flow(kernel_flow<Case, W>(bed), reference::slice_flow<Case>(bed));
 }
 
 template <class Case>
@@ -108,7 +87,7 @@ void check_random_flows() {
   enter({Case::name, seed()});
   Random random(seed());
   for (int k = 0; k < 400; ++k) {
-    reference::SliceBed<double> bed;
+    Bed bed;
     bed.count = static_cast<int>(random(1, 30));
     bed.velocity = random(-3, 3);
     bed.top = random(Case::diameter, 1.01 * Case::pipe_diameter);
@@ -121,6 +100,9 @@ TEST_CASE("gas: the flow split against bisection") {
   check_random_flows<plug>();
   check_random_flows<hard_plug>();
   check_random_flows<strict_plug>();
+  check_random_flows<wide_gap>();
+  check_random_flows<narrow_gap>();
+  check_random_flows<narrow_hard_gap>();
   check_random_flows<fine_bed>();
   check_random_flows<reversed>();
   check_random_flows<still>();
@@ -150,7 +132,7 @@ TEST_CASE("gas: a full slice takes the whole flow") {
 
 TEST_CASE("gas: the three bed heights differ where they should") {
   const auto area = [](auto flow) { return flow.bed_area / (3.14159265358979323846 / 4 * 0.05 * 0.05); };
-  const reference::SliceBed<double> almost_full{15, 0.5, 0.042}, high{12, 0.5, 0.036}, half{8, 0.5, 0.025};
+  const Bed almost_full{15, 0.5, 0.042}, high{12, 0.5, 0.036}, half{8, 0.5, 0.025};
   CHECK(area(kernel_flow<plug, 1>(almost_full)) == doctest::Approx(1));
   CHECK(area(kernel_flow<hard_plug, 1>(almost_full)) == doctest::Approx(1));
   CHECK(area(kernel_flow<strict_plug, 1>(almost_full)) < 0.92);
@@ -160,6 +142,19 @@ TEST_CASE("gas: the three bed heights differ where they should") {
                              area(kernel_flow<strict_plug, 1>(half))}) {
     CHECK(found == doctest::Approx(0.5));
   }
+}
+
+TEST_CASE("gas: the free height below which a slice is full can be set") {
+  const auto is_full = [](auto flow) { return flow.velocity_above == flow.velocity_in_bed; };
+  const auto filled_to = [](double free_height) { return Bed{15, 0.5, 0.05 - free_height}; };
+  CHECK(is_full(kernel_flow<plug, 1>(filled_to(0.0099))));
+  CHECK(!is_full(kernel_flow<plug, 1>(filled_to(0.0101))));
+  CHECK(is_full(kernel_flow<wide_gap, 1>(filled_to(0.0139))));
+  CHECK(!is_full(kernel_flow<wide_gap, 1>(filled_to(0.0141))));
+  CHECK(is_full(kernel_flow<narrow_gap, 1>(filled_to(0.0029))));
+  CHECK(!is_full(kernel_flow<narrow_gap, 1>(filled_to(0.0031))));
+  CHECK(is_full(kernel_flow<narrow_hard_gap, 1>(filled_to(0.0029))));
+  CHECK(!is_full(kernel_flow<narrow_hard_gap, 1>(filled_to(0.0031))));
 }
 
 TEST_CASE("gas: no flow past a bed that moves with the gas, backward push on a faster one") {

@@ -37,12 +37,20 @@ std::string compare_widths() {
   const auto narrow = ended<Case, Other>();
   int different = 0;
   for (int id = 0; id < Case::particle_count; ++id) {
+    different += wide->is_present(id) != narrow->is_present(id) || wide->serial(id) != narrow->serial(id);
+    if (!wide->is_present(id)) continue;
     const fixdem::Particle a = wide->particle(id), b = narrow->particle(id);
     different += std::memcmp(&a, &b, sizeof a) != 0;
   }
   CHECK(different == 0);
   const fixdem::Energy a = wide->energy(), b = narrow->energy();
   CHECK(std::memcmp(&a, &b, sizeof a) == 0);
+  if constexpr (fixdem::is_line<Case>) {
+    const fixdem::LineTotals s = wide->line(), t = narrow->line();
+    CHECK(std::memcmp(&s, &t, sizeof s) == 0);
+    CHECK(s.fed > 3);
+    CHECK(s.left > 0);
+  }
   char hash[32];
   std::snprintf(hash, sizeof hash, "%016llx", fixdem::state_hash(*wide));
 
@@ -77,5 +85,6 @@ TEST_CASE("the widths between end in the same bytes too") {
   if constexpr (widest >= 4) {
     compare_widths<gas, 2, widest / 2>();
     compare_widths<mixed_paper, 2, widest / 2>();
+    compare_widths<line, 2, widest / 2>();
   }
 }

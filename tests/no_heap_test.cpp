@@ -6,6 +6,7 @@
 
 #include "cases/plug_u24.hpp"
 #include "kernel/fixdem.hpp"
+#include "line_scenes.hpp"
 #include "small_scene.hpp"
 
 #if defined(__has_feature)
@@ -147,7 +148,10 @@ template <class Case>
 void check_no_allocation() {
   enter({Case::name, seed()});
   Simulation<Case>& simulation = kernel<Case>();
-  place_all(simulation, layered_spheres<Case>(Case::pipe_length / 7, 0.5, Random(seed())));
+  if constexpr (is_line<Case>)
+    place_all(simulation, spheres_of_line<Case>(0.5, 1, Random(seed())));
+  else
+    place_all(simulation, layered_spheres<Case>(Case::pipe_length / 7, 0.5, Random(seed())));
   Status status;
   CHECK(allocations_in([&] { status = simulation.start(); }) == 0);
   REQUIRE(status.ok());
@@ -168,6 +172,8 @@ TEST_CASE("no heap: run() and everything else allocates nothing") {
   check_no_allocation<small_periodic>();
   check_no_allocation<closed_rescale_leapfrog>();
   check_no_allocation<gas_scene>();
+  check_no_allocation<short_line>();
+  check_no_allocation<in_two_species<short_line>>();
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Two cases written by hand that compile; each file beside this one derives from one, spoils a value, and must be
+// Cases written by hand that compile; each file beside this one derives from one, spoils a value, and must be
 // refused by the compiler with the message in its `// expected:` line. tests/compile_fail/run.sh compiles them.
 #pragma once
 
@@ -46,6 +46,21 @@ struct Sizes : Rest {
   static constexpr int species_count = 2;
   static constexpr const char* species_names[] = {"large", "small"};
   static constexpr SizeRun sizes[] = {{2, 0.01, 1000, 0}, {6, 0.005, 2000, 1}};
+};
+
+/// An open line.
+template <class Particles>
+struct Open : Particles {
+  static constexpr auto ends = Ends::open;
+  static constexpr int start_count = 4;
+  static constexpr TimeValue feed_rate[] = {{0, 0.1}, {1, 0.2}};
+  static constexpr double feed_start = 0.5, feed_length = 0.1, feed_velocity = 0.5;
+  static constexpr unsigned long long feed_seed = 1;
+  static constexpr int feed_interval = 500;
+};
+struct Line : Open<Base> {};
+struct LineOfSizes : Open<Sizes> {
+  static constexpr int first_fed_kind = 4;
 };
 
 /// What a user of a case writes; instantiating it is what must fail.

@@ -1,5 +1,6 @@
 // The control: the base case itself, its linear twin, one with gas, one particle in gas in a vertical pipe, one in
-// mixed precision, two with rolling resistance and two with several sizes must compile.
+// mixed precision, two with rolling resistance, two with several sizes, one with gas on a slope and three open lines
+// must compile.
 #include "base.hpp"
 
 namespace fixdem::compile_fail {
@@ -29,6 +30,12 @@ struct SizesInGas : Sizes {
   static constexpr bool has_gas = true;
   static constexpr double gas_velocity = 2.4, gas_density = 1.2, gas_viscosity = 1.5e-5;  // Ergun's d: of each slice
 };
+struct GasOnSlope : Gas {
+  static constexpr double gravity[3] = {1, -8, -5};
+};
+struct LineInGas : Open<Gas> {
+  static constexpr double gravity[3] = {0, 0, -9.81};
+};
 template int use<Base>();
 template int use<Linear>();
 template int use<Gas>();
@@ -38,4 +45,8 @@ template int use<Rolling>();
 template int use<RollingOnWalls>();
 template int use<Sizes>();
 template int use<SizesInGas>();
+template int use<GasOnSlope>();
+template int use<Line>();
+template int use<LineInGas>();
+template int use<LineOfSizes>();
 }  // namespace fixdem::compile_fail

@@ -6,8 +6,9 @@
 #include "tests/identical/scenes.hpp"
 
 namespace {
-struct everything : fixdem::tests::identical::leapfrog {
-  static constexpr int particle_count = 60;
+struct everything : fixdem::tests::identical::line_leapfrog {
+  static constexpr int start_count = 60, particle_count = 80;
+  static constexpr double pipe_length = 0.162;
 };
 fixdem::Simulation<everything> simulation;
 }  // namespace

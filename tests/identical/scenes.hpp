@@ -1,5 +1,6 @@
 // Scenes that must come out the same to the last bit, however the kernel is compiled: small, agitated, and between them
-// with every law, integrator, precision and kind of wall, with and without gas and friction.
+// with every law, integrator, precision and kind of wall, with and without gas and friction; lines lie flat, on a slope
+// and upright.
 //
 // Nothing here needs a library, not even the mathematics library, so that the scenes also run where there is none.
 #pragma once
@@ -21,7 +22,7 @@ void place_agitated(Simulation& simulation) {
     return static_cast<double>(bits >> 11) * 0x1p-52 - 1;  // -1 .. 1
   };
   const double d = Case::diameter;
-  for (int id = 0; id < Case::particle_count; ++id) {
+  for (int id = 0; id < Simulation::start_count; ++id) {
     const int layer = id / 4, corner = id % 4;
     Particle p{};
     p.position[0] = (corner % 2 == 0 ? -0.6 : 0.6) * d + 0.05 * d * uniform();
@@ -94,12 +95,33 @@ struct two_sizes : in_two_sizes<rolling> {};
 struct two_sizes_impulse : in_two_sizes<rolling_impulse> {};
 struct two_sizes_smooth : in_two_sizes<smooth> {};
 
+/// Open lines: the last layers leave, and as many particles are fed as find room beside the first.
+template <class Scene>
+struct opened : Scene {
+  static constexpr auto ends = Ends::open;
+  static constexpr int start_count = 100, particle_count = 130, slice_count = 27;
+  static constexpr double pipe_length = 0.271;
+  static constexpr TimeValue feed_rate[] = {{0, 1}, {0.001, 5}, {0.003, 2}};
+  static constexpr double feed_start = 0.0002, feed_length = 0.1, feed_velocity = 0.5;
+  static constexpr unsigned long long feed_seed = 3;
+  static constexpr int feed_interval = 90, first_fed_kind = 60;
+};
+struct line : opened<gas> {};
+struct line_on_slope : opened<rolling_impulse> {
+  static constexpr double gravity[3] = {-4, -6, -5};
+};
+struct line_leapfrog : opened<leapfrog> {
+  static constexpr double gravity[3] = {0, 0, -9.81};
+};
+struct line_of_two_sizes : opened<two_sizes> {};
+
 struct mixed_gas : in_mixed_precision<gas> {};
 struct mixed_smooth : in_mixed_precision<smooth> {};
 struct mixed_leapfrog : in_mixed_precision<leapfrog> {};
 struct mixed_paper : in_mixed_precision<paper> {};
 struct mixed_rolling : in_mixed_precision<rolling> {};
 struct mixed_two_sizes : in_mixed_precision<two_sizes> {};
+struct mixed_line : in_mixed_precision<line_of_two_sizes> {};
 
 inline constexpr long long steps = 2000;
 
@@ -126,6 +148,11 @@ constexpr void for_each_scene(Visit visit) {
   visit.template operator()<two_sizes_impulse>("two sizes impulse");
   visit.template operator()<two_sizes_smooth>("two sizes smooth");
   visit.template operator()<mixed_two_sizes>("mixed two sizes");
+  visit.template operator()<line>("line");
+  visit.template operator()<line_on_slope>("line on slope");
+  visit.template operator()<line_leapfrog>("line leapfrog");
+  visit.template operator()<line_of_two_sizes>("line of two sizes");
+  visit.template operator()<mixed_line>("mixed line");
 }
 
 }  // namespace fixdem::tests::identical

@@ -11,7 +11,8 @@
 //   (46)   eps = 1 - sum V_k/(A_d dz), V_s = sum V_k v_k/sum V_k, d_32 = sum d_k^3/sum d_k^2
 //   (32')  F_k = G dz A_d (V_k/sum V) (eps d_32/d_k + 1 - eps)
 // and d_32 is the d of the rule for a full slice, and d_g where none is given. Sums are in units of the largest sphere,
-// so that with equal ones they are numbers of particles.
+// so that with equal ones they are numbers of particles. A steep pipe: gas_steep_reference.hpp; gas that changes along
+// the pipe and in time: gas_pressure_reference.hpp.
 #pragma once
 
 #include <algorithm>
@@ -48,8 +49,19 @@ struct BedSums {
   }
 };
 
+/// The gas that comes to a slice: bulk velocity, density, kinematic viscosity.
+template <class Scalar>
+struct Gas {
+  Scalar velocity, density, viscosity;
+};
+template <class Case, class Scalar>
+Gas<Scalar> gas_of_case() {
+  return {Case::gas_velocity, Case::gas_density, Case::gas_viscosity};
+}
+
 template <class Scalar>
 struct SliceFlow {
+  Gas<Scalar> gas{};
   Scalar pressure_gradient = 0;
   Scalar bed_area = 0;         ///< A_d
   Scalar void_fraction = 1;    ///< eps
@@ -67,10 +79,12 @@ Scalar force_in_bed(const SliceFlow<Scalar>& flow, Scalar diameter) {
   return flow.mean_force * (diameter * diameter * diameter) * share;
 }
 
-/// Height at which the bed counts: a slice is full when no further particle, of diameter d, fits above it.
+/// Height at which the bed counts: a slice is full when no further particle, of diameter d, fits above it. A case may
+/// say another gap instead of d.
 template <class Case, class Scalar>
 Scalar effective_height(Scalar h, Scalar d) {
   const Scalar D = Case::pipe_diameter;
+  if constexpr (requires { Case::gas_full_gap; }) d = Case::gas_full_gap;
   h = std::min(h, D);
   if (Case::gas_bed_height == BedHeight::strict) return h;
   if (Case::gas_bed_height == BedHeight::hard) return D - h < d ? D : h;
@@ -78,26 +92,26 @@ Scalar effective_height(Scalar h, Scalar d) {
 }
 
 /// Blasius, eqs. (36) and (37), for a velocity of either sign.
-template <class Case, class Scalar>
-Scalar free_gradient(Scalar U, Scalar D_h) {
+template <class Scalar>
+Scalar free_gradient(Scalar U, Scalar D_h, const Gas<Scalar>& gas) {
   if (U == 0) return 0;
-  const Scalar Re = std::abs(U) * D_h / Scalar(Case::gas_viscosity);
+  const Scalar Re = std::abs(U) * D_h / gas.viscosity;
   const Scalar lambda = Scalar(0.3164L) * std::pow(Re, Scalar(-0.25L));
-  return lambda / D_h * Scalar(Case::gas_density) * U * std::abs(U) / 2;
+  return lambda / D_h * gas.density * U * std::abs(U) / 2;
 }
 
 /// Ergun, eqs. (33)-(35), multiplied out so that w = 0 is no division by zero; w = U_d - V_s.
-template <class Case, class Scalar>
-Scalar bed_gradient(Scalar w, Scalar eps, Scalar d_g) {
-  const Scalar rho = Case::gas_density, nu = Case::gas_viscosity;
+template <class Scalar>
+Scalar bed_gradient(Scalar w, Scalar eps, Scalar d_g, const Gas<Scalar>& gas) {
+  const Scalar rho = gas.density, nu = gas.viscosity;
   const Scalar c = (1 - eps) / (eps * eps * eps);
   return c * (150 * (1 - eps) * nu * rho / (d_g * d_g) * w + Scalar(1.75L) * rho / d_g * w * std::abs(w));
 }
 
 /// The velocity w >= 0 through the bed at a gradient >= 0: the root of the quadratic above, without cancellation.
-template <class Case, class Scalar>
-Scalar bed_velocity(Scalar gradient, Scalar eps, Scalar d_g) {
-  const Scalar rho = Case::gas_density, nu = Case::gas_viscosity;
+template <class Scalar>
+Scalar bed_velocity(Scalar gradient, Scalar eps, Scalar d_g, const Gas<Scalar>& gas) {
+  const Scalar rho = gas.density, nu = gas.viscosity;
   const Scalar c = (1 - eps) / (eps * eps * eps);
   const Scalar a = c * Scalar(1.75L) * rho / d_g, b = c * 150 * (1 - eps) * nu * rho / (d_g * d_g);
   return 2 * gradient / (b + std::sqrt(b * b + 4 * a * gradient));
@@ -115,19 +129,21 @@ Scalar bisection(Scalar upper, Scalar value, Function f) {
   return high;
 }
 
+/// Of a pipe in which a bed can lie.
 template <class Case, class Scalar>
-SliceFlow<Scalar> slice_flow(const SliceBed<Scalar>& bed) {
+SliceFlow<Scalar> slice_flow(const SliceBed<Scalar>& bed, const Gas<Scalar>& gas = gas_of_case<Case, Scalar>()) {
   const Scalar pi = std::acos(Scalar(-1));
-  const Scalar D = Case::pipe_diameter, R = D / 2, d = 2 * largest_radius<Case, Scalar>(), U = Case::gas_velocity;
+  const Scalar D = Case::pipe_diameter, R = D / 2, d = 2 * largest_radius<Case, Scalar>(), U = gas.velocity;
   const Scalar dz = Scalar(Case::pipe_length) / Case::slice_count, A = pi * R * R, V_p = pi * d * d * d / 6;
   const Scalar d_32 = bed.sauter_diameter * d;
   const Scalar d_g = Case::gas_bed_diameter > 0 ? Scalar(Case::gas_bed_diameter) : d_32;
   const Scalar least_void_fraction = lists_sizes<Case> ? Scalar(0.20L) : Scalar(0.35L);  // mixtures pack closer
 
   SliceFlow<Scalar> flow;
+  flow.gas = gas;
   if (bed.count == 0) {
     flow.velocity_above = U;
-    flow.pressure_gradient = free_gradient<Case>(U, D);
+    flow.pressure_gradient = free_gradient(U, D, gas);
     return flow;
   }
   const Scalar h = effective_height<Case>(bed.top, d_32);
@@ -139,18 +155,18 @@ SliceFlow<Scalar> slice_flow(const SliceBed<Scalar>& bed) {
   if (flow.full) {
     flow.velocity_in_bed = U;
     flow.velocity_above = U;
-    flow.pressure_gradient = bed_gradient<Case>(U - bed.velocity, flow.void_fraction, d_g);
+    flow.pressure_gradient = bed_gradient(U - bed.velocity, flow.void_fraction, d_g, gas);
   } else {
     const Scalar A_d = flow.bed_area, A_a = A - A_d;
     const Scalar D_h = 4 * A_a / (2 * R * (pi - half_angle) + 2 * half_chord);
     const Scalar excess = A * U - A_d * bed.velocity;  // flow relative to a pipe whose bed rests
     const Scalar sign = excess < 0 ? -1 : 1;
     const auto through = [&](Scalar u) {
-      return bed_velocity<Case>(free_gradient<Case>(u, D_h), flow.void_fraction, d_g);
+      return bed_velocity(free_gradient(u, D_h, gas), flow.void_fraction, d_g, gas);
     };
     const Scalar above =
         bisection(std::abs(excess) / A_a, std::abs(excess), [&](Scalar u) { return A_a * u + A_d * through(u); });
-    flow.pressure_gradient = sign * free_gradient<Case>(above, D_h);
+    flow.pressure_gradient = sign * free_gradient(above, D_h, gas);
     flow.velocity_above = sign * above;
     flow.velocity_in_bed = sign * through(above) + bed.velocity;
   }
@@ -161,12 +177,13 @@ SliceFlow<Scalar> slice_flow(const SliceBed<Scalar>& bed) {
 
 /// Drag on a sphere that floats in gas of velocity u relative to it: on particle `id`, or where all are equal, on any.
 template <class Case, class Scalar>
-Vector<Scalar> lone_sphere_drag(const Vector<Scalar>& u, int id = 0) {
+Vector<Scalar> lone_sphere_drag(const Vector<Scalar>& u, int id = 0,
+                                const Gas<Scalar>& gas = gas_of_case<Case, Scalar>()) {
   const Scalar pi = std::acos(Scalar(-1)), d = 2 * sphere_properties<Case, Scalar>(id).radius, speed = u.norm();
   if (speed == 0) return Vector<Scalar>::Zero();
-  const Scalar Re = speed * d / Scalar(Case::gas_viscosity);
+  const Scalar Re = speed * d / gas.viscosity;
   const Scalar C_d = Re < 1000 ? 24 / Re * (1 + Scalar(0.15L) * std::pow(Re, Scalar(0.687L))) : Scalar(0.44L);
-  return C_d * pi * d * d / 8 * Scalar(Case::gas_density) * speed * u;
+  return C_d * pi * d * d / 8 * gas.density * speed * u;
 }
 
 }  // namespace fixdem::reference

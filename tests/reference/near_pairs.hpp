@@ -27,6 +27,8 @@ class NearPairs {
  public:
   /// From now on; margin 0: not at all.
   void look_ahead(Scalar diameter, Scalar margin) { diameter_ = diameter, margin_ = margin, left_ = -1; }
+  /// Others are there now.
+  void forget() { left_ = -1; }
   /// Whether the list has all pairs nearer than this.
   bool serve(Scalar reach) const { return margin_ > 0 && reach <= diameter_; }
 

@@ -7,19 +7,20 @@
 // functions are named as the kernel's, so that a test can be written once for both. SI units; positions along z lie in
 // [0, length) when the pipe is periodic.
 //
-// One step: floaters and gas (at their intervals), forces from current positions and velocities, then v, omega with
-// the force and x with the new v (eqs. 3-5). `leapfrog` holds positions half a step ahead of the velocities and damps
-// the normal motion at velocities predicted with the acceleration of the step before; `impulse` holds them ahead too.
+// One step: of a line, feeding; floaters and gas (at their intervals), forces from current positions and velocities,
+// then v, omega with the force and x with the new v (eqs. 3-5), and of a line the outlet. `leapfrog` holds positions
+// half a step ahead of the velocities and damps the normal motion at velocities predicted with the acceleration of the
+// step before; `impulse` holds them ahead too.
 #pragma once
 
 #include <Eigen/Core>
 #include <map>
 #include <vector>
 
-#include "gas_reference.hpp"
 #include "impulse_reference.hpp"
+#include "line_reference.hpp"
 #include "near_pairs.hpp"
-#include "reference_state.hpp"
+#include "spheres_in_gas_reference.hpp"
 
 namespace fixdem::reference {
 
@@ -29,15 +30,16 @@ class Reference {
   using Vector3 = Vector<Scalar>;
 
   void place(int id, const Particle& p) {
-    spheres_.resize(Case::particle_count);
+    spheres_.resize(count_at_start<Case>());
     Sphere& s = spheres_[id];
     s = Sphere{};
-    s.own = sphere_properties<Case, Scalar>(id);
+    s.own = sphere_properties<Case, Scalar>(id), s.kind = id;
     s.x = from_array(p.position), s.v = from_array(p.velocity), s.omega = from_array(p.angular_velocity);
   }
 
   void start() {
     contacts_.clear();
+    if constexpr (is_line<Case>) spheres_.resize(Case::start_count), line_.start();
     energy_ = {};
     step_ = 0;
     for (Sphere& s : spheres_) {
@@ -88,17 +90,22 @@ class Reference {
   Energy energy() const {
     Energy e = energy_;
     e.kinetic = e.elastic = 0;
-    for (const Sphere& s : spheres_) {
-      e.kinetic +=
-          static_cast<double>(s.own.mass * s.v.squaredNorm() / 2 + s.own.moment_of_inertia * s.omega.squaredNorm() / 2);
-    }
+    for (const Sphere& s : spheres_)
+      if (s.is_present) e.kinetic += static_cast<double>(kinetic_energy(s));
     for (const auto& [key, contact] : contacts_) e.elastic += static_cast<double>(contact.force.elastic_energy);
     return e;
   }
 
   /// Flow in each slice at the last update of the gas.
   const std::vector<SliceFlow<Scalar>>& slices() const { return slices_; }
+  const GasInPipe<Case, Scalar>& gas() const { return gas_; }
   bool floats(int id) const { return spheres_[id].floats; }
+
+  /// Particles so far, of a line: numbers go on, whoever leaves.
+  int count() const { return static_cast<int>(spheres_.size()); }
+  bool is_present(int id) const { return spheres_[id].is_present; }
+  int kind(int id) const { return spheres_[id].kind; }
+  LineTotals line() const { return line_.totals(); }
 
  private:
   using Key = std::pair<int, int>;
@@ -122,17 +129,18 @@ class Reference {
   template <class F>
   void for_each_pair(Scalar multiple, F f) {
     const auto visit = [&](int i, int j) {
+      if (!(spheres_[i].is_present && spheres_[j].is_present)) return;
       const Vector3 r = between(i, j);
       const Scalar reach = multiple * (spheres_[i].own.radius + spheres_[j].own.radius);
       if (std::abs(r.z()) >= reach) return;
       if (const Scalar distance = r.norm(); distance < reach) f(i, j, r, distance);
     };
     if (near_.serve(multiple * 2 * largest)) {
-      near_.renew(Case::particle_count, [this](int i, int j) { return between(i, j).squaredNorm(); });
+      near_.renew(count(), [this](int i, int j) { return between(i, j).squaredNorm(); });
       for (const auto& [i, j] : near_.pairs()) visit(i, j);
     } else {
-      for (int i = 0; i < Case::particle_count; ++i)
-        for (int j = i + 1; j < Case::particle_count; ++j) visit(i, j);
+      for (int i = 0; i < count(); ++i)
+        for (int j = i + 1; j < count(); ++j) visit(i, j);
     }
   }
 
@@ -144,8 +152,9 @@ class Reference {
                              const Vector3& predicted, const Vector3& spin, const Vector3& spin_of_partner) {
     Touching& contact = contacts_[key];
     if (contact.last_step < 0) {
-      contact.bodies = bodies_of_contact<Case, Scalar>(key.first, key.second);
-      contact.coefficients = contact_coefficients<Case, Scalar>(key.first, key.second);
+      const int first = kind(key.first), second = key.second < 0 ? key.second : kind(key.second);
+      contact.bodies = bodies_of_contact<Case, Scalar>(first, second);
+      contact.coefficients = contact_coefficients<Case, Scalar>(first, second);
     }
     const Encounter<Scalar> at{overlap, n, relative_velocity, predicted.dot(n), spin, spin_of_partner, contact.bodies};
     if (Case::integrator == Integrator::impulse) {
@@ -188,7 +197,8 @@ class Reference {
       a.force += force, b.force -= force;
       a.torque += f.torque + f.rolling_torque, b.torque += f.torque_on_partner - f.rolling_torque;  // eqs. (14), (49)
     });
-    for (int i = 0; i < Case::particle_count; ++i) {
+    for (int i = 0; i < count(); ++i) {
+      if (!is_present(i)) continue;
       const Vector3 x = spheres_[i].x;
       const Scalar r = spheres_[i].own.radius;
       if (Case::has_wall) {
@@ -196,10 +206,9 @@ class Reference {
         const Scalar overlap = q - (Scalar(Case::pipe_diameter) / 2 - r);
         if (q > 0) touch_wall(i, pipe_wall, overlap, Vector3(x.x() / q, x.y() / q, 0));
       }
-      if (Case::ends == Ends::closed) {
-        touch_wall(i, lower_end, r - x.z(), Vector3(0, 0, -1));
-        touch_wall(i, upper_end, x.z() - (length - r), Vector3(0, 0, 1));
-      }
+      const bool is_closed = Case::ends == Ends::closed;
+      if (is_closed || is_line<Case>) touch_wall(i, lower_end, r - x.z(), Vector3(0, 0, -1));
+      if (is_closed) touch_wall(i, upper_end, x.z() - (length - r), Vector3(0, 0, 1));
     }
     std::erase_if(contacts_, [this](const auto& entry) {
       if (entry.second.last_step == step_) return false;
@@ -210,40 +219,16 @@ class Reference {
 
   /// A sphere floats when no other centre is within 1.1 (r_i + r_j) and it does not touch the lower half of the wall.
   void tell_floaters() {
-    for (Sphere& s : spheres_) {
-      const Scalar q = std::sqrt(s.x.x() * s.x.x() + s.x.y() * s.x.y());
-      s.floats = !(q > Scalar(Case::pipe_diameter) / 2 - s.own.radius && s.x.y() < 0);
-    }
+    for (Sphere& s : spheres_) s.floats = may_float<Case>(s);
     for_each_pair(Scalar(1.1L),
                   [this](int i, int j, const Vector3&, Scalar) { spheres_[i].floats = spheres_[j].floats = false; });
-  }
-
-  int slice_of(const Sphere& s) const {
-    const int slice = static_cast<int>(std::floor(s.x.z() / (length / Case::slice_count)));
-    return std::clamp(slice, 0, Case::slice_count - 1);
-  }
-
-  void update_gas() {
-    std::vector<BedSums<Scalar>> beds(Case::slice_count);
-    for (const Sphere& s : spheres_) {
-      if (s.floats) continue;
-      const Scalar top = s.x.y() + Scalar(Case::pipe_diameter) / 2 + s.own.radius;
-      beds[slice_of(s)].add(s.own.radius / largest, s.v.z(), top);
-    }
-    slices_.clear();
-    for (const BedSums<Scalar>& sums : beds) slices_.push_back(slice_flow<Case>(sums.bed()));
-    for (int i = 0; i < Case::particle_count; ++i) {
-      Sphere& s = spheres_[i];
-      const SliceFlow<Scalar>& flow = slices_[slice_of(s)];
-      s.gas_force = Vector3(0, 0, force_in_bed(flow, s.own.radius / largest));
-      if (s.floats) s.gas_force = lone_sphere_drag<Case, Scalar>(Vector3(0, 0, flow.velocity_above) - s.v, i);
-    }
   }
 
   void move() {
     const Vector3 g = from_array(Case::gravity);
     Scalar maximum_way = 0;
     for (Sphere& s : spheres_) {
+      if (!s.is_present) continue;
       s.acceleration = (s.force + s.gas_force) / s.own.mass + g;  // eq. (1)
       const Vector3 old_v = s.v;
       s.v += s.acceleration * dt;                          // eq. (3)
@@ -258,11 +243,34 @@ class Reference {
     near_.move(maximum_way);
   }
 
+  /// Feeding, of a line.
+  void let_in() {
+    const int before = count();
+    line_.feed(step_, spheres_, energy_);
+    if (count() > before) near_.forget();
+  }
+
+  /// Outlet, of a line: contacts with those that leave are cut, and take what their springs held along.
+  void let_out() {
+    bool any = false;
+    for (Sphere& s : spheres_) any = line_.takes(s, energy_) || any;
+    if (!any) return;
+    near_.forget();
+    std::erase_if(contacts_, [this](const auto& entry) {
+      const auto [owner, partner] = entry.first;
+      if (is_present(owner) && (partner < 0 || is_present(partner))) return false;
+      energy_.left_with += static_cast<double>(entry.second.force.elastic_energy);
+      return true;
+    });
+  }
+
   void step_once() {
+    if constexpr (is_line<Case>) let_in();
     if (Case::has_gas && step_ % Case::gas_floater_interval == 0) tell_floaters();
-    if (Case::has_gas && step_ % Case::gas_update_interval == 0) update_gas();
+    if (Case::has_gas && step_ % Case::gas_update_interval == 0) slices_ = update_gas<Case>(spheres_, gas_, step_);
     contact_forces();
     move();
+    if constexpr (is_line<Case>) let_out();
     ++step_;
   }
 
@@ -274,8 +282,10 @@ class Reference {
 
   std::vector<Sphere> spheres_;
   std::map<Key, Touching> contacts_;
+  GasInPipe<Case, Scalar> gas_;
   std::vector<SliceFlow<Scalar>> slices_;
   NearPairs<Scalar> near_;
+  Line<Case, Scalar> line_;
   Energy energy_;
   long long step_ = 0;
 };

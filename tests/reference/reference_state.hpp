@@ -17,7 +17,14 @@ struct SphereState {
   Vector3 gas_force = Vector3::Zero();                        ///< held between updates of the gas
   Vector3 acceleration = Vector3::Zero();                     ///< of the step before
   bool floats = false;
+  bool is_present = true;
+  int kind = 0;  ///< number in the table of sizes
 };
+
+template <class Scalar>
+Scalar kinetic_energy(const SphereState<Scalar>& s) {
+  return s.own.mass * s.v.squaredNorm() / 2 + s.own.moment_of_inertia * s.omega.squaredNorm() / 2;
+}
 
 template <class Scalar>
 struct ContactState {

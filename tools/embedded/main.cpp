@@ -26,7 +26,7 @@ long long number(const char* text) {
 }
 
 bool begin() {
-  for (int id = 0; id < Case::particle_count; ++id) simulation.place(id, fixdem::embedded::start[id]);
+  for (int id = 0; id < simulation.start_count; ++id) simulation.place(id, fixdem::embedded::start[id]);
   if (!simulation.start().ok()) return false;
   for (int k = 0; k < fixdem::embedded::history_count; ++k) {
     const auto& h = fixdem::embedded::histories[k];
@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   put(Case::name), put(": ");
-  put(static_cast<unsigned long long>(Case::particle_count)), put(" particles, ");
+  put(static_cast<unsigned long long>(simulation.start_count)), put(" particles, ");
   put(static_cast<unsigned long long>(steps)), put(" of "), put(static_cast<unsigned long long>(whole_run)),
       put(" steps\n");
   if (!begin()) {

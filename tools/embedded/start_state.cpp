@@ -31,6 +31,8 @@ class Recorder final : public program::NoSimulation {
     histories += fmt::format("    {{{}, {}, {}, {}}},\n", owner, partner, triple(history), triple(rolling));
     ++history_count;
   }
+  /// C++ knows no array without entries.
+  std::string placed() const { return particles.empty() ? "    {},\n" : particles; }
 
   std::string particles, histories;
   int history_count = 0;
@@ -52,7 +54,7 @@ int main(int argc, char** argv) try {
       "struct History {{\n  int owner, partner;\n  double value[3], rolling[3];\n}};\n"
       "inline constexpr int history_count = {};\ninline constexpr History histories[] = {{\n{}}};\n\n"
       "}}  // namespace fixdem::embedded\n",
-      facts.name, recorder.particles, recorder.history_count,
+      facts.name, recorder.placed(), recorder.history_count,
       recorder.history_count > 0 ? recorder.histories : "    {0, 0, {0, 0, 0}, {0, 0, 0}}\n");
   return 0;
 } catch (const program::Failure& failure) {

@@ -10,7 +10,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
 from marked_part import MarkedPart
 from measuring import Calls, instructions_per_particle_step, output, size
 
-STRIPS = ["everything", "one_size", "without_rolling", "without_gas", "without_friction", "without_wall", "without_ends", "without_ledger", "pairs_only"]
+STRIPS = ["everything", "one_size", "without_rolling", "without_gas", "without_friction", "without_wall", "without_ends", "without_ledger", "pairs_only", "line"]
 
 
 def measured(program, case, *arguments):
@@ -37,7 +37,7 @@ def parts_of(header):
             ("rolling resistance", is_set("rolling_friction")),
             ("friction", any(value != "0x0p+0" for value in re.findall(r" (?:wall_)?friction = ([^;]+);", header))),
             ("wall", is_set("has_wall = true")),
-            ("closed ends" if is_set("Ends::closed") else "periodic ends", True),
+            ("closed ends" if is_set("Ends::closed") else "an open line" if is_set("Ends::open") else "periodic ends", True),
             ("ledger", is_set("energy_ledger = true")),
             ("leapfrog", is_set("Integrator::leapfrog")),
             ("impulses", is_set("Integrator::impulse")),

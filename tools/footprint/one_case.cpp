@@ -9,7 +9,7 @@ using Case = fixdem::cases::FIXDEM_CASE;
 fixdem::Simulation<Case> simulation;
 
 bool start() {
-  for (int id = 0; id < Case::particle_count; ++id) simulation.place(id, fixdem::embedded::start[id]);
+  for (int id = 0; id < simulation.start_count; ++id) simulation.place(id, fixdem::embedded::start[id]);
   return simulation.start().ok();
 }
 }  // namespace

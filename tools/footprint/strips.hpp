@@ -1,7 +1,8 @@
 // One scene with every feature, and the same scene stripped of them one by one; what goes with each is asserted.
 //
 // A square rod of 60 layers of 2 x 2 spheres that just fits its pipe: each sphere presses on four others (five with the
-// one across the ends) and on the wall, so that every kind of contact is at work in every step.
+// one across the ends) and on the wall, so that every kind of contact is at work in every step. Last and apart, the rod
+// as an open line, of which nothing may be left in the others.
 #pragma once
 
 #include "cases/plug_u24.hpp"
@@ -36,13 +37,22 @@ struct without_wall : without_friction {
   static constexpr bool has_wall = false;
 };
 struct without_ends : without_wall {
-  static constexpr auto ends = Ends::open;
+  static constexpr auto ends = Ends::none;
 };
 struct without_ledger : without_ends {
   static constexpr bool energy_ledger = false;
 };
 struct pairs_only : without_ledger {
   static constexpr auto integrator = Integrator::euler;
+};
+
+struct line : everything {
+  static constexpr auto ends = Ends::open;
+  static constexpr int start_count = particle_count, first_fed_kind = 0;
+  static constexpr TimeValue feed_rate[] = {{0, 0.1}};
+  static constexpr double feed_start = 0, feed_length = 0.1, feed_velocity = 0.5;
+  static constexpr unsigned long long feed_seed = 1;
+  static constexpr int feed_interval = 500;
 };
 
 template <class Visit>
@@ -56,8 +66,12 @@ void for_each_strip(Visit visit) {
   visit.template operator()<without_ends>("no periodic ends");
   visit.template operator()<without_ledger>("no energy ledger");
   visit.template operator()<pairs_only>("no prediction (Euler): pairs alone");
+  visit.template operator()<line>("everything, as an open line");
 }
 
+// No line: nothing of its books and of numbers that are used again.
+static_assert(!__is_empty(Line<line>) && __is_empty(Line<everything>));
+static_assert(sizeof(Particles<line>) - sizeof(Particles<everything>) >= 13 * everything::particle_count);
 // One size: no radii while particles are sorted. No rolling resistance: no spring of it, no torques on partners.
 static_assert(sizeof(SortScratch<everything>) - sizeof(SortScratch<one_size>) >= 8 * everything::particle_count);
 static_assert(Particles<everything>::motion_width == 8 && sizeof(Particles<everything>) == sizeof(Particles<one_size>));

@@ -37,7 +37,9 @@ def refusal(case):
         return LOOK_LIKE.format(what=what, why=why, advice=advice)
 
     if case["ends"] == "open":
-        return words('ends = "open"', "its box has walls or is periodic", 'choose [pipe] ends = "periodic" or "closed"')
+        return words('ends = "open"', "nothing is fed there, and nothing leaves", 'choose [pipe] ends = "periodic" or "closed"')
+    if case["has_gas"] and (reason := refusal_of_gas(case)):
+        return words(*reason)
     if "sizes" in case and case["species_count"] == 0:
         return words("[particles.sizes]", "its walls have one coefficient for each kind of sphere", "choose [[particles.species]]")
     if "sizes" in case and case["has_gas"]:
@@ -67,6 +69,18 @@ def refusal(case):
                     f"alpha = {alpha:.4g} lies outside what `damping tsuji` can return, {tsuji_polynomial(1.0):.1g} to 1.27",
                     f"choose 1, or a [material] {key} between 0.12 and 0.9995",
                 )
+    return None
+
+
+def refusal_of_gas(case):
+    """What the gas beside LAMMPS (tools/lammps/gas_beside.cpp) does not know: what, why and what to do; None where it knows all."""
+    if "gas_velocity_in_time" in case:
+        return "bulk_velocity in time", "the gas beside it has one velocity", "choose [gas] bulk_velocity = a number"
+    if case.get("gas_compressible"):
+        return "compressible = true", "the gas beside it has one density", "leave [gas] compressible out"
+    x, y, z = case["gravity"]
+    if case["particle_count"] > 1 and not (x == 0 and y < 0 and z == 0):
+        return "gas in an inclined pipe", "the gas beside it takes the height of the bed along y", "choose gravity = [0, -g, 0], or leave [gas] out"
     return None
 
 
