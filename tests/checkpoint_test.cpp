@@ -22,8 +22,8 @@ Checkpoint example() {
   Checkpoint c;
   c.identity = {{"case", "settle"}, {"precision", "double"}};
   c.duration = 0.2, c.case_duration = 0.1, c.start = 11, c.seed = 7, c.frames = false, c.step = 1200, c.time = 0.0024;
-  c.outputs.grown = {{"log.csv", {100, 200}}};
-  c.outputs.dump = FilePosition{300, 400};
+  c.outputs.grown = {{"log.csv", {100, 200}}, {"dump.lammpstrj", {300, 400}}};
+  c.outputs.contacts = {{0.003, {9, 10}}};
   c.outputs.frames = {{0.001, {5, 6}}, {0.002, {7, 8}}};
   c.simulation = std::string("\0simulation", 11), c.program = "program";
   return c;
@@ -55,12 +55,14 @@ TEST_CASE("checkpoint: comes back as it was, and nothing else does") {
   CHECK_FALSE(back.frames);
   CHECK(back.step == 1200);
   CHECK(back.time == 0.0024);
-  REQUIRE(back.outputs.grown.size() == 1);
+  REQUIRE(back.outputs.grown.size() == 2);
   CHECK(back.outputs.grown[0].name == "log.csv");
   CHECK(back.outputs.grown[0].file.size == 100);
   CHECK(back.outputs.grown[0].file.hash == 200);
-  REQUIRE(back.outputs.dump.has_value());
-  CHECK(back.outputs.dump->hash == 400);
+  CHECK(back.outputs.grown[1].name == "dump.lammpstrj");
+  CHECK(back.outputs.grown[1].file.hash == 400);
+  REQUIRE(back.outputs.contacts.size() == 1);
+  CHECK(back.outputs.contacts[0].file.hash == 10);
   REQUIRE(back.outputs.frames.size() == 2);
   CHECK(back.outputs.frames[1].time == 0.002);
   CHECK(back.outputs.frames[1].file.hash == 8);

@@ -16,6 +16,7 @@
 #include "scenes.hpp"
 #include "tools/run/case_adapter.hpp"
 #include "tools/run/fault_report.hpp"
+#include "tools/run/frames_vtp.hpp"
 #include "tools/run/neighbourhood.hpp"
 #include "tools/run/result_folder.hpp"
 #include "tools/run/state_file.hpp"

@@ -17,7 +17,6 @@ struct level : cases::plug_u24 {
   static constexpr int particle_count = 60;
   static constexpr double pipe_length = 0.2;
   static constexpr int slice_count = 20, gas_update_interval = 1, gas_floater_interval = 1;
-  static constexpr double turn = 0;
 };
 /// The same with the pipe turned about its axis, so that gravity comes from the side (sine and cosine 0.6, 0.8).
 struct turned : level {

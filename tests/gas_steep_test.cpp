@@ -6,16 +6,8 @@
 #include "listed_sizes.hpp"
 
 namespace fixdem::tests {
-namespace {
 
-struct upright : cases::plug_u24 {
-  static constexpr double gravity[3] = {0, 0, -9.81};
-  static constexpr int slice_count = 8;  // of 100 mm: one particle leaves a void fraction of 0.997
-};
-struct upright_fine : upright {
-  static constexpr double gas_bed_diameter = 0.003, gas_velocity = -3;
-};
-struct two_sizes {
+struct upright_two_sizes {
   static constexpr const char* name = "two sizes in a steep pipe";
   static constexpr int species_count = 2;
   static constexpr const char* species_names[] = {"large", "small"};
@@ -26,7 +18,17 @@ struct upright_air : short_pipe {
   static constexpr double gas_velocity = 3, gas_density = 1.2, gas_viscosity = 1.5e-5;
   static constexpr double gravity[3] = {0, 0, -9.81};
 };
-struct upright_sizes : sized<two_sizes, upright_air> {};
+
+namespace {
+
+struct upright : cases::plug_u24 {
+  static constexpr double gravity[3] = {0, 0, -9.81};
+  static constexpr int slice_count = 8;  // of 100 mm: one particle leaves a void fraction of 0.997
+};
+struct upright_fine : upright {
+  static constexpr double gas_bed_diameter = 0.003, gas_velocity = -3;
+};
+struct upright_sizes : sized<upright_two_sizes, upright_air> {};
 
 /// A cloud or bed of this void fraction in a slice of the 50 mm pipe.
 Bed of_void_fraction(double eps, double velocity) {

@@ -13,8 +13,9 @@ from pathlib import Path
 import numpy as np
 
 root = Path(__file__).parent.parent
-for part in ("movie", "picture", "report"):
-    sys.path.insert(0, str(root / "tools" / part))
+for part in ("tools/movie", "tools/picture", "tools/report", "tests"):
+    sys.path.insert(0, str(root / part))
+import line_folder
 import movie
 from spheres import COLOURS, PIPE, Painter
 
@@ -57,6 +58,10 @@ def painting():
     halves = drawn[:, : drawn.shape[1] // 2].sum(), drawn[:, drawn.shape[1] // 2 :].sum()
     off = [abs(half / (np.pi * (r * painter.scale) ** 2) - 1) for half, r in zip(halves, radii)]
     check("each sphere covers its own circle", max(off) < 0.05, halves)
+    swapped, _ = paint([[0, 0, 0.1], [0, 0, 0.3]], [1.0, 0.0], radius=radii)
+    painter = Painter(0.1, 0.4, True, radii[::-1], 400)
+    others = painter.paint(np.array([[0, 0, 0.1], [0, 0, 0.3]]), np.array([1.0, 0.0]), radii)
+    check("... that of the moment, where particles come and go", (others[painter.margin : -painter.margin, painter.margin : -painter.margin] == swapped).all())
     many = Painter(0.1, 0.4, True, np.linspace(0.004, 0.005, 1000), 400)
     check("many sizes share a few discs", len(many.discs) < 20 and len(many.disc_of) == 1000, len(many.discs))
 
@@ -65,6 +70,30 @@ def between():
     frames = {"times": [0.0, 1.0], "position": np.array([[[0, 0, 0.39]], [[0, 0, 0.01]]]), "velocity": np.array([[[0, 0, 1.0]], [[0, 0, 3.0]]])}
     middle = list(movie.moments(frames, 3, 0.4, True))[1]
     check("between frames the short way round", abs(middle[0][0, 2] % 0.4) < 1e-9 and middle[1][0] == 2.0, middle)
+
+
+def in_pieces():
+    painter = Painter(0.05, 2.0, False, 0.005, 800)
+    image = painter.paint(np.array([[0, 0, 0.5], [0, 0, 1.9]]), np.array([1.0, 1.0]))
+    pieces = movie.in_pieces(image, 2, painter.margin)
+    check("a long line is cut into pieces", pieces.shape == (2 * image.shape[0], (image.shape[1] - 2 * painter.margin) // 2 + 2 * painter.margin, 3), pieces.shape)
+    columns = [np.nonzero((part[painter.margin : -painter.margin] != PIPE).any(axis=(0, 2)) & (part[painter.margin : -painter.margin] != 255).any(axis=(0, 2)))[0] for part in np.split(pieces, 2)]
+    width = pieces.shape[1] - 2 * painter.margin
+    places = [(np.median(c[(c > painter.margin + 4) & (c < painter.margin + width - 4)]) - painter.margin) / width + k for k, c in enumerate(columns)]
+    check("... with what is in them", abs(places[0] - 0.5) < 0.01 and abs(places[1] - 1.9) < 0.01, places)
+    check("... and a short one is not", movie.in_pieces(image, 1, painter.margin) is image)
+
+
+def playing_line(scratch):
+    line = line_folder.Line(length=2.0, duration=1.0)
+    run = scratch / "line"
+    if not (run / "frames").exists():
+        line_folder.write_line(run, line, frames=True)
+    path = scratch / "line.mp4"
+    movie.make(run, line.case(), path, 1)
+    asked = ["ffprobe", "-v", "error", "-of", "json", "-show_entries", "stream=width,height", path]
+    stream = json.loads(subprocess.run(asked, capture_output=True, text=True, check=True).stdout)["streams"][0]
+    check("a line of forty diameters plays in two pieces", abs(stream["width"] - movie.WIDTH) < 30 and stream["height"] > 2 * movie.WIDTH / movie.PIECE, stream)
 
 
 def playing(run, scratch):
@@ -88,6 +117,8 @@ def playing(run, scratch):
 
 painting()
 between()
+in_pieces()
+playing_line(Path(sys.argv[2]))
 playing(Path(sys.argv[1]), Path(sys.argv[2]))
 print(f"{passed} passed, {failed} failed")
 sys.exit(failed > 0)

@@ -211,7 +211,7 @@ await page.locator('#theme').selectOption('system');
 await page.emulateMedia({colorScheme: 'dark'});
 check('follows the system into the dark', (await luminance()) < 150);
 await page.setViewportSize({width: 390, height: 800});
-await page.waitForTimeout(300);
+await page.waitForFunction(() => document.documentElement.scrollWidth <= innerWidth, null, {timeout: 10000}).catch(() => {});
 check('no sideways scrolling on a telephone', await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), await page.evaluate(() => document.documentElement.scrollWidth));
 if (pictures) fs.writeFileSync(`${pictures}/narrow.png`, await page.screenshot({fullPage: true}));
 

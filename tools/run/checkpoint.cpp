@@ -27,7 +27,7 @@ void transfer(Archive& archive, Checkpoint& c) {
 /// Every key of the case with its value, as casegen has written them: one a line.
 void append_keys(const CaseFacts& facts, Identity& list) {
   static const std::set<std::string_view> free = {"title", "[run] duration", "[run] reference_speed",
-                                                  "[output] checkpoint_interval"};
+                                                  "[output] checkpoint_interval", "[output] statistics_from"};
   std::string_view rest = facts.keys;
   if (rest.empty()) list.emplace_back("case file (XXH64)", fmt::format("{:016x}", facts.source_hash));
   while (!rest.empty()) {

@@ -41,7 +41,8 @@ struct Checkpoint {
 };
 
 /// Of this program: the values of its keys, and with several sizes a hash of what each particle is. Keys of the case
-/// that a run may change on the way are left out: title, duration, reference_speed and checkpoint_interval.
+/// that a run may change on the way are left out: title, duration, reference_speed, checkpoint_interval,
+/// statistics_from.
 Identity identity(const CaseFacts&, SimulationView&);
 /// What of that summary.json says, too: the case by its file's hash.
 Identity brief_identity(const CaseFacts&);
