@@ -62,9 +62,12 @@ class Simulation {
       if constexpr (holds_positions_ahead<Case>)
         for (int c = 0; c < 3; ++c) x[c] += 0.5 * Case::time_step * v[c];
       set_size(s_.particles, i);
+      if (s_.status.ok() && !s_.particles.is_present(i))
+        s_.status = {Fault::outside_pipe, i, 0, x[2], Case::pipe_length};
     }
     forget_placed();
     clear_contacts();
+    if (!s_.status.ok()) return s_.status;
     s_.status = renew<Case, W>(s_.contacts, s_.near_list, s_.particles, s_.before.kept, s_.scratch, s_.line, 0);
     if constexpr (takes_impulses<Case>) detail::mark_contacts_as_found(s_.contacts);
     if (s_.status.ok()) s_.status = deepest();

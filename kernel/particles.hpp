@@ -89,7 +89,7 @@ struct Particles {
   /// Whether the particle of a row is in the pipe still.
   bool is_present([[maybe_unused]] int row) const {
     if constexpr (is_line<Case>)
-      return position[row][2] < Case::pipe_length;
+      return !(position[row][2] >= Case::pipe_length);
     else
       return true;
   }

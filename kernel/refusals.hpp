@@ -10,6 +10,9 @@ namespace fixdem {
 /// Of an open line; nothing of others.
 template <class Case, bool present = is_line<Case>>
 struct CheckedLine {
+  static_assert(
+      requires { Case::feed_rate, Case::start_count, Case::feed_length; },
+      "fixdem: ends = \"open\" needs a feed: add the table [feed]");
   static_assert(Case::start_count >= 0 && Case::start_count <= Case::particle_count,
                 "fixdem: [particles] count must not be above capacity");
   static_assert(Case::has_wall, "fixdem: ends = \"open\" needs the pipe's wall: set [pipe] wall = true");

@@ -78,6 +78,7 @@ Status list_slots(Contacts<Case>& contacts, NearList<Case>& near, const Particle
     if (near.outer.concerns_ends(chunk)) book_range(Cap::chunks, 0, R::wrap_base, R::wrap_first);
   contacts.has_rows[chunk] = has_rows, contacts.has_sums[chunk] = has_sums;
   contacts.slots_are_stale[chunk] = false;
+  if (crowded >= 0) contacts.has_rows[chunk] = false;  // the last step goes without: its lists are not made
   if (crowded >= 0) return {Fault::neighbour_capacity, p.id[base + crowded], 0, Cap::neighbours + 1, Cap::neighbours};
   for (int i = 0; i < particles; ++i)
     near.most_neighbours = neighbours[i] > near.most_neighbours ? neighbours[i] : near.most_neighbours;

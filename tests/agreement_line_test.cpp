@@ -59,6 +59,8 @@ TEST_CASE("agreement: a plug leaves a line") {
   using rescaled = without_gas<rescaled_force<plain_line>>;
   check_plug_leaves<rescaled>("line, plug, no gas, rescale", wider_tolerance<rescaled>);
   check_plug_leaves<rolling<plain_line>>("line, plug, rolling");
+  using rolling_impulse = impulse<rolling<plain_line>>;
+  check_plug_leaves<rolling_impulse>("line, plug, rolling, impulse", wider_tolerance<rolling_impulse>);
 }
 
 }  // namespace

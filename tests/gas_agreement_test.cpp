@@ -12,8 +12,7 @@ struct closed_gas : thin_gas {
 /// At so low a pressure that a short pipe loses a good part of it.
 struct compressible : closed_gas {
   static constexpr bool gas_compressible = true;
-  static constexpr double gas_outlet_pressure = 2000, gas_temperature = 293.15;
-  static constexpr double gas_constant = gas_outlet_pressure / (gas_density * gas_temperature);
+  static constexpr double gas_outlet_pressure = 2000;
 };
 struct stored : compressible {
   static constexpr bool gas_storage = true;

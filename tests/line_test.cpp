@@ -1,5 +1,6 @@
 // The open line: where particles are fed, that none is lost or counted twice, what happens when it is full, empty or
 // blocked, and that its energy adds up.
+#include <limits>
 #include <memory>
 
 #include "line_checks.hpp"
@@ -145,6 +146,46 @@ TEST_CASE("line: a full one stops, and nothing is lost") {
   });
   CHECK(mass > 0);
   CHECK(std::isfinite(line.energy().elastic));
+}
+
+TEST_CASE("line: whoever is placed beyond an end is refused") {
+  Simulation<small_capacity>& line = simulation<small_capacity>();
+  enter({small_capacity::name, seed()});
+  constexpr double L = small_capacity::pipe_length;
+  for (const double z : {L, L + 1e-9, L + 0.02, 100 * L, -1e-9, -1.0}) {
+    CAPTURE(z);
+    Spheres spheres = spheres_of_line<small_capacity>(0.5, 1, Random(seed()));
+    spheres[7].position[2] = z;
+    place_all(line, spheres);
+    const Status status = line.start();
+    CHECK(status.fault == Fault::outside_pipe);
+    CHECK(status.particle == 7);
+    CHECK(status.value == z);
+  }
+}
+
+/// A velocity that no particle can have is a fault, and no way out.
+template <class Case>
+Status status_after_blow(double axial_velocity) {
+  Simulation<Case>& line = simulation<Case>();
+  start_line(line);
+  run(line, 10);
+  auto& particles = line.state().particles;
+  int row = 0;
+  while (particles.id[row] != 7) ++row;
+  particles.motion[row][2] = axial_velocity;
+  return line.run(1);
+}
+
+TEST_CASE("line: nobody leaves by a fault") {
+  const Status fast = status_after_blow<without_gas>(1e5);  // half a metre in a step
+  CHECK(fast.fault == Fault::too_fast);
+  CHECK(fast.particle == 7);
+  for (const double bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    const Status status = status_after_blow<without_gas>(bad);
+    CHECK(status.fault == Fault::non_finite);
+    CHECK(status.particle == 7);
+  }
 }
 
 struct large_and_empty : empty_at_start<short_line> {

@@ -99,7 +99,7 @@ struct two_sizes_smooth : in_two_sizes<smooth> {};
 template <class Scene>
 struct opened : Scene {
   static constexpr auto ends = Ends::open;
-  static constexpr int start_count = 100, particle_count = 130, slice_count = 27;
+  static constexpr int start_count = 100, particle_count = 160, slice_count = 27;
   static constexpr double pipe_length = 0.271;
   static constexpr TimeValue feed_rate[] = {{0, 1}, {0.001, 5}, {0.003, 2}};
   static constexpr double feed_start = 0.0002, feed_length = 0.1, feed_velocity = 0.5;

@@ -75,7 +75,10 @@ export class Along {
 
   follow(time) {
     const plug = this.followed(time);
-    if (plug) this.show(frontAt(plug, time) - 0.2 * this.reach);
+    if (plug) {  // smoothly: a front is found in slices
+      const fronts = [-0.1, 0, 0.1].map((apart) => frontAt(plug, time + apart)).filter((front) => front !== null);
+      this.show(fronts.reduce((a, b) => a + b) / fronts.length - 0.2 * this.reach);
+    }
     this.paint(time);
   }
 
