@@ -178,11 +178,13 @@ void move_chunk(State<Case>& s, int chunk, int ahead = 0) {
   VelocityBox velocities;
   velocities.add(monitor.low, monitor.high);
   s.near_list.note_step(chunk, velocities);
-  if constexpr (is_line<Case>)
-    let_leave(s.line, s.contacts, s.particles, chunk, velocities, [&]([[maybe_unused]] int slot) {
-      if constexpr (Case::has_gas) s.gas.floats[slot] = true;  // as whoever is fed into it, until looked at
-    });
-  if (const Status status = check_chunk(s, chunk, step); !status.ok()) detail::note(s, status, step + 1);
+  const Status status = check_chunk(s, chunk, step);
+  if (!status.ok()) detail::note(s, status, step + 1);
+  if constexpr (is_line<Case>)  // nobody leaves by a fault
+    if (status.ok())
+      let_leave(s.line, s.contacts, s.particles, chunk, velocities, [&]([[maybe_unused]] int slot) {
+        if constexpr (Case::has_gas) s.gas.floats[slot] = true;  // as whoever is fed into it, until looked at
+      });
 }
 
 /// What comes before a step: the order along the pipe, and the gas, when they are due.

@@ -19,7 +19,9 @@ inline constexpr double maximum_margin = 0.015, maximum_wall_margin = 0.1, minim
 /// With long steps a margin is as wide as to last for so many: they are what lists cost. A fed line at 5e-5 s
 /// took 10.8, 7.4, 6.8, 7.8 s with 1, 8, 12 and 16. Where particles come 0.00125 diameters in a step or less it changes
 /// nothing.
-inline constexpr double shortest_life = 12;
+/// But no wider than `longest_margin` (in diameters) for that: fifteen centres fit around one within 1.108 d at the
+/// least (the Tammes problem), and a near list has room for fourteen.
+inline constexpr double shortest_life = 12, longest_margin = 0.06;
 
 /// Minimum and maximum velocity of a group of particles in each component, m/s.
 struct VelocityBox {
@@ -50,7 +52,7 @@ struct Validity {
 
   /// `travel`: of a step; `widest`: maximum of the margin, in diameters.
   void renew(double travel, double widest, double diameter) {
-    const double most = max(widest * diameter, travel * shortest_life);
+    const double most = max(widest * diameter, min(travel * shortest_life, longest_margin * diameter));
     margin = min(max(travel * horizon_steps * 1.2, minimum_margin * diameter), most);
     used = 0;
   }

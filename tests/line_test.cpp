@@ -112,12 +112,33 @@ TEST_CASE_TEMPLATE("line: a run that is cut at odd steps comes to the same bytes
 }
 
 struct small_capacity : without_gas {
-  static constexpr int particle_count = 130;
+  static constexpr int particle_count = 127, feed_interval = 200;  // several are due at once
 };
+
+/// Pairs that overlap, counted without the lists of the kernel.
+template <class Case>
+int overlapping_pairs(const Simulation<Case>& line) {
+  Spheres present;
+  for (int id = 0; id < Case::particle_count; ++id) {
+    if (!line.is_present(id)) continue;
+    const Particle p = line.particle(id);
+    present.push_back({{p.position[0], p.position[1], p.position[2]}, {}, {}});
+  }
+  int pairs = 0;
+  for (std::size_t i = 0; i < present.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      double between[3];
+      for (int c = 0; c < 3; ++c) between[c] = present[i].position[c] - present[j].position[c];
+      pairs += length(between) < Case::diameter;
+    }
+  return pairs;
+}
 
 TEST_CASE("line: a full one stops, and nothing is lost") {
   Simulation<small_capacity>& line = simulation<small_capacity>();
-  start_line(line, 0.5, 0);
+  enter({small_capacity::name, seed()});
+  place_all(line, plug_at_outlet<small_capacity>(Random(seed())));
+  start(line);
   Attendance<small_capacity> attendance(line);
   Status status;
   int wrong = 0;
@@ -127,25 +148,22 @@ TEST_CASE("line: a full one stops, and nothing is lost") {
   }
   CHECK(wrong == 0);
   CHECK(status.fault == Fault::line_full);
-  CHECK(status.value == 131);
-  CHECK(status.limit == 130);
+  CHECK(status.value == 128);
+  CHECK(status.limit == 127);
   CHECK(status.particle == -1);
   CHECK(status.step == line.step());
-  CHECK(line.present() == 130);
+  CHECK(line.present() == 127);
   const LineTotals before = line.line();
   CHECK(!line.run(100).ok());
   const LineTotals after = line.line();
   CHECK(std::memcmp(&before, &after, sizeof before) == 0);
-  // What is looked at for the report is what it was.
-  double mass = 0;
+  // What is looked at for the report is what is there.
   line.for_each_contact([&](const Contact& c) {
     CHECK(line.is_present(c.owner));
     if (c.partner >= 0) CHECK(line.is_present(c.partner));
-    CHECK(c.overlap < 0.5 * small_capacity::diameter);
-    mass += std::isfinite(c.normal_force);
   });
-  CHECK(mass > 0);
-  CHECK(std::isfinite(line.energy().elastic));
+  CHECK(line.observe().contacts == overlapping_pairs(line));
+  CHECK(line.observe().contacts > 0);
 }
 
 TEST_CASE("line: whoever is placed beyond an end is refused") {

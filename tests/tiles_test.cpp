@@ -7,6 +7,7 @@
 // the energy ledger are compared byte by byte.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -72,7 +73,8 @@ std::unique_ptr<Simulation<Case>> started() {
   auto simulation = std::make_unique<Simulation<Case>>();
   Spheres spheres = layered_spheres<Placing<Case>>(0.0115, 0.5, Random(seed()));
   if constexpr (is_line<Case>)
-    for (Sphere& s : spheres) s.position[2] += 1.05 * Case::feed_length;
+    for (Sphere& s : spheres)
+      s.position[2] = std::min(s.position[2] + 1.05 * Case::feed_length, Case::pipe_length - 1e-6);
   place_all(*simulation, spheres);
   start(*simulation);
   return simulation;

@@ -4,6 +4,7 @@ pressure at its inlet, gas velocity where it changes, masses in, out and in the 
 import json
 from array import array
 from itertools import accumulate
+from math import floor, log10
 
 from columns import read_columns
 from drawing import Data, picture_of
@@ -42,6 +43,13 @@ def key(top):
     return f"set key at screen {(LEFT + RIGHT) / 2},{top + 0.02} center center vertical maxrows 1 samplen 2 width 1\n"
 
 
+def tics(values):
+    """Two to five of them above zero."""
+    most = max((value for value in values if value is not None), default=0) or 1
+    size = 10 ** floor(log10(most / 2))
+    return f"set ytics {next(size * step for step in (5, 2, 1) if 2 * size * step <= most):g}\n"
+
+
 def map_script(run, case, slices, data, end):
     """The upper panel."""
     every = -(-len(slices.times) // MOST_MOMENTS)
@@ -70,27 +78,28 @@ def curves_script(case, log, data):
     if len({u for _, u in gas}) > 1:
         plots.append(f"'{data.file(gas)}' axes x1y2 with lines linewidth 1.5 linecolor 3 dashtype 2 title 'gas velocity'")
         axes = "set y2label 'm/s'\nset y2tics 1\nset y2range [0:*]\n"
-    script = panel(0.46, 0.32, f"set grid\nset ylabel 'kPa' offset 1\nset yrange [0:*]\n{key(0.46)}set ytics 2\n{axes}plot {', '.join(plots)}\n")
+    script = panel(0.46, 0.32, f"set grid\nset ylabel 'kPa' offset 1\nset yrange [0:*]\n{key(0.46)}{tics(p for _, p in pressure)}{axes}plot {', '.join(plots)}\n")
     steps = [0.0, *(b - a for a, b in zip(times, times[1:]))]
     so_far = {words: list(accumulate((flow or 0.0) * step for flow, step in zip(log[rate], steps)))
               for words, rate in (("fed", "accepted rate [kg/s]"), ("left", "leaving rate [kg/s]"))}  # fmt: skip
     so_far |= {"in the pipe": log["holdup [kg]"], "waiting": log["backlog [kg]"]}
     curves = ", ".join(f"'{data.file(zip(times, kg))}' with lines linewidth 1.5 linecolor {k} dashtype {k} title '{words}'" for k, (words, kg) in enumerate(so_far.items(), 1))
-    return script + panel(0.26, 0.10, f"{key(0.26)}unset y2label\nunset y2tics\nset format x '%g'\nset xlabel 'time, s'\nset ylabel 'kg' offset 1\nset ytics autofreq\nplot {curves}\n")
+    return script + panel(0.26, 0.10, f"{key(0.26)}unset y2label\nunset y2tics\nset format x '%g'\nset xlabel 'time, s'\nset ylabel 'kg' offset 1\n{tics(max(so_far.values(), key=max))}plot {curves}\n")
 
 
 def words(run, case, summary):
-    """What the picture shows, from the summary, and of gas that changes the velocities at which plugs began and ended."""
+    """What the picture shows, from the summary, and of gas that changes the velocities between which plugs passed a station."""
     line, said = summary["line"], summary["line_verdict"]
-    text = f"`{run.name}`: it {said if said != 'blocked' else 'blocks'}. " if said not in ("empty",) else "It is empty. "
+    text = f"`{run.name}` {dict(blocked='blocks', empty='is empty').get(said, said)}. "
     text += f"It accepts {line['accepted_rate']:.3g} of {line['asked_rate']:.3g} kg/s and holds {line['holdup']:.3g} kg at {line['inlet_pressure'] / 1000:.3g} kPa above the outlet. "
     if line["plugs"]:
-        text += (f"{line['plugs']} plugs: fronts {line['plug_velocity']:.2f} m/s, particles in them {line['plug_particle_velocity']:.2f} m/s, {line['plug_length']:.2f} m long"
+        text += (f"{line['plugs']} plug{'s' if line['plugs'] > 1 else ''}: fronts {line['plug_velocity']:.2f} m/s, particles in them {line['plug_particle_velocity']:.2f} m/s, {line['plug_length']:.2f} m long"
                  + (f", {line['plug_frequency']:.2f} per second at the middle" if line["plug_frequency"] else "") + ". ")  # fmt: skip
-    plugs = [plug for plug in read_plugs(run) if plug.counts]
-    if plugs and isinstance(case["gas"].get("bulk_velocity"), list):
-        first, last = plugs[0], max(plugs, key=lambda plug: plug.last)
-        text += f"The first plug that ran for 0.25 m was born at {first.born:.1f} s in gas of {gas_velocity(case, first.born):.2f} m/s; none is left after {last.last:.1f} s, at {gas_velocity(case, last.last):.2f} m/s. "
+    for probe in read_probes(run, case)[:1] if isinstance(case["gas"].get("bulk_velocity"), list) else []:
+        passed = [time for time, before, now in zip(probe.time[1:], probe.passages, probe.passages[1:]) if now > before]
+        if passed:
+            text += (f"Plugs pass the station at {probe.position:g} m from {passed[0]:.1f} s on, in gas of {gas_velocity(case, passed[0]):.2f} m/s, to {passed[-1]:.1f} s, "
+                     f"in gas of {gas_velocity(case, passed[-1]):.2f} m/s.")  # fmt: skip
     return text.rstrip()
 
 

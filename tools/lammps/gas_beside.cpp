@@ -52,9 +52,10 @@ struct Case : cases::FIXDEM_CASE {
 };
 static_assert(Case::has_gas, "LAMMPS alone runs a case without gas");
 static_assert(!has_sizes<Case>, "particles of several sizes have no gas beside LAMMPS: export refuses them");
-static_assert(!is_compressible<Case> && !has_velocity_in_time<Case> && !Derived<Case>::is_steep,
-              "gas that is compressible, changes in time or flows through a steep pipe has no counterpart beside LAMMPS: "
-              "export refuses it");
+static_assert(
+    !is_compressible<Case> && !has_velocity_in_time<Case> && !Derived<Case>::is_steep,
+    "gas that is compressible, changes in time or flows through a steep pipe has no counterpart beside LAMMPS: "
+    "export refuses it");
 
 class GasBeside {
  public:
