@@ -17,11 +17,11 @@ inline constexpr double horizon_steps = 240;  ///< as long as a list of a bed sh
 inline constexpr double maximum_margin = 0.015, maximum_wall_margin = 0.1, minimum_margin = 1e-5;
 
 /// With long steps a margin is as wide as to last for so many: they are what lists cost. A fed line at 5e-5 s
-/// took 10.8, 7.4, 6.8, 7.8 s with 1, 8, 12 and 16. Where particles come 0.00125 diameters in a step or less it changes
+/// took 10.8, 7.4, 6.8, 7.8 s with 1, 8, 12 and 16. Where particles come 0.0025 diameters in a step or less it changes
 /// nothing.
 /// But no wider than `longest_margin` (in diameters) for that: fifteen centres fit around one within 1.108 d at the
 /// least (the Tammes problem), and a near list has room for fourteen.
-inline constexpr double shortest_life = 12, longest_margin = 0.06;
+inline constexpr double shortest_life = 6, longest_margin = 0.06;
 
 /// Minimum and maximum velocity of a group of particles in each component, m/s.
 struct VelocityBox {
