@@ -12,9 +12,10 @@
 //   kept       no history is being carried over
 //   line       slots taken are those of the rows, kinds are in the table of sizes
 //   the rest   flags are true or false, the step is a possible one, there is no fault
-// Values (histories, ledgers, speeds) are not judged: they may make a run stop with a fault, never read elsewhere. What
-// is written before it is used (scratch, cells, rows for later, slices of the gas) is not looked at. A new array of
-// indices gets a line above and its check below; tests/consistency_test.cpp changes bytes at random and runs on.
+// Values (histories, ledgers, speeds, pressures) are not judged: they may make a run stop with a fault, never read
+// elsewhere. What is written before it is used (scratch, cells, rows for later, slices of the gas) is not looked at. A
+// new array of indices gets a line above and its check below; tests/consistency_test.cpp changes bytes at random and
+// runs on.
 #pragma once
 
 #include "step.hpp"

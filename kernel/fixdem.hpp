@@ -167,7 +167,7 @@ class Simulation {
     s_.particles.coupling.set_gravity(gravity);
   }
   void set_gas_velocity(double bulk_velocity)  ///< m/s; at the next update of the gas
-      requires(is_coupled<Case>&& Case::has_gas) {
+      requires(is_coupled<Case>&& Case::has_gas && !has_inlet_pressure<Case> && !has_blower<Case>) {
     s_.particles.coupling.gas_velocity = bulk_velocity;
   }
 
@@ -177,6 +177,12 @@ class Simulation {
   double bed_area(int slice) const { return s_.gas.bed_area[slice]; }                    ///< m2
   double gas_velocity_above(int slice) const { return s_.gas.velocity_above[slice]; }    ///< m/s
   double gas_velocity_in_bed(int slice) const { return s_.gas.velocity_in_bed[slice]; }  ///< m/s
+  double bulk_velocity(int slice) const { return bulk_velocity_in(s_.gas, slice); }      ///< U, m/s
+  double gas_density(int slice) const { return gas_density_in(s_.gas, slice); }          ///< kg/m3
+  /// At node 0 (inlet) to slice_count (outlet) above the pressure at the outlet, Pa.
+  double pressure(int node) const { return pressure_at_node(s_.gas, node); }
+  /// What enters at the inlet, kg/s.
+  double gas_supply() const { return fixdem::gas_supply(s_.gas); }
   /// Over the whole pipe, Pa.
   double pressure_drop() const {
     double drop = 0;

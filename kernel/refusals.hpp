@@ -4,6 +4,7 @@
 #pragma once
 
 #include "capacity.hpp"
+#include "gas_case.hpp"
 
 namespace fixdem {
 
@@ -45,6 +46,28 @@ template <class Case>
 struct CheckedLine<Case, false> {
   static_assert(
       !requires { Case::feed_rate; }, "fixdem: [feed] needs [pipe] ends = \"open\"");
+  static constexpr bool ok = true;
+};
+
+/// Of the gas: with a compressible one what drives it, otherwise that nothing of that is there.
+template <class Case, bool present = is_compressible<Case>>
+struct CheckedGas {
+  static_assert(Case::has_gas, "fixdem: compressible needs the gas: add the table [gas]");
+  static_assert(Case::gas_outlet_pressure > 0, "fixdem: [gas] outlet_pressure must be positive");
+  static_assert(supply_volume<Case> >= 0, "fixdem: [gas] supply_volume must not be negative");
+  static_assert(!has_inlet_pressure<Case> || !has_blower<Case>,
+                "fixdem: [gas] inlet_pressure excludes a blower: remove one");
+  static_assert(!has_velocity_in_time<Case> || !(has_inlet_pressure<Case> || has_blower<Case>),
+                "fixdem: [gas] bulk_velocity excludes inlet_pressure and a blower: remove one");
+  static_assert(supply_volume<Case> == 0 || stores_gas<Case>, "fixdem: [gas] supply_volume needs storage = true");
+  static_assert(supply_volume<Case> == 0 || !has_inlet_pressure<Case>,
+                "fixdem: [gas] supply_volume says nothing with inlet_pressure: remove it");
+  static constexpr bool ok = true;
+};
+template <class Case>
+struct CheckedGas<Case, false> {
+  static_assert(!stores_gas<Case> && !has_inlet_pressure<Case> && !has_blower<Case> && supply_volume<Case> == 0,
+                "fixdem: [gas] storage, supply_volume, inlet_pressure and blower_flow need compressible = true");
   static constexpr bool ok = true;
 };
 
@@ -115,6 +138,17 @@ struct Checked {
   static_assert(Case::neighbour_capacity >= 2 && Case::neighbour_capacity <= (has_sizes<Case> ? 160 : 30),
                 "fixdem: [capacity] neighbours must lie between 2 and 30, with several sizes 160");
   static_assert(CheckedLine<Case>::ok);
+  static_assert(CheckedGas<Case>::ok);
+  static constexpr bool gap_is_sound = [] {
+    if constexpr (requires { Case::gas_full_gap; })
+      return Case::has_gas && Case::gas_bed_height != BedHeight::strict && Case::gas_full_gap > 0 &&
+             Case::gas_full_gap < Case::pipe_diameter;
+    else
+      return true;
+  }();
+  static_assert(gap_is_sound,
+                "fixdem: [gas] full_gap must lie between 0 and the diameter of the pipe, and bed_height must not be "
+                "\"strict\": with that no gap counts");
   static constexpr bool ok = true;
 };
 

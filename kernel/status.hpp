@@ -18,7 +18,7 @@ enum class Fault {
   overlap,             ///< overlap of a contact, in radii
   too_fast,            ///< travel of a particle in one step, in radii
   order_lost,          ///< travel of a particle since the order along the pipe was made, in diameters
-  gas_unsolved,        ///< relative residual of the flow split of a slice
+  gas_unsolved,        ///< relative residual of the gas flow in a slice or along the pipe
   line_full            ///< particles in an open line
 };
 
@@ -48,7 +48,7 @@ constexpr const char* describe(Fault fault) {
     case Fault::order_lost:
       return "sudden travel since particles were sorted, in diameters";
     case Fault::gas_unsolved:
-      return "relative residual of the gas flow in a slice";
+      return "relative residual of the gas flow in a slice or along the pipe";
     case Fault::line_full:
       return "particles in the pipe";
   }

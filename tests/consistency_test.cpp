@@ -117,18 +117,47 @@ TEST_CASE("consistency: a periodic pipe with gas") { attack<small_gas>(); }
 TEST_CASE("consistency: a closed pipe") { attack<small_closed>(); }
 TEST_CASE("consistency: an open line") { attack<in_two_species<short_line>>(); }
 
+/// Whether the simulation is not accepted with another value in one place; it is with the present one.
+template <class Case, class Value, class Broken>
+bool is_refused(const Simulation<Case>& simulation, Value& value, Broken broken) {
+  const Value good = value;
+  value = static_cast<Value>(broken);
+  const bool is_accepted = simulation.is_consistent();
+  value = good;
+  CHECK(simulation.is_consistent());
+  return !is_accepted;
+}
+
+TEST_CASE("consistency: single promises of a line") {
+  using Case = in_two_species<short_line>;
+  static Hostile<Case> hostile;
+  Simulation<Case>& simulation = hostile.simulation();
+  State<Case>& s = simulation.state();
+  const auto refused = [&](auto& value, auto broken) { return is_refused(simulation, value, broken); };
+  auto& slots = s.particles.slots;
+  const int id = s.particles.id[3];
+  for (const int rows : {-1, slots.rows_in_use - 1, slots.rows_in_use + 1, Case::particle_count + 1, 1 << 30})
+    CHECK(refused(slots.rows_in_use, rows));
+  CHECK(refused(slots.is_taken[id], false));
+  CHECK(refused(slots.is_taken[Case::particle_count - 1], true));
+  CHECK(refused(slots.kind[id], kinds_in<Case>));
+  CHECK(refused(slots.kind[id], slots.kind[id] < 60 ? 60 : 0));  // of the other species
+  CHECK(refused(slots.serial[id], -1));
+  CHECK(refused(slots.serial[id], Case::start_count + s.line.entered.count));
+  CHECK(refused(s.line.entered.count, s.line.entered.count + 1));
+  CHECK(refused(s.line.left[0].count, s.line.left[0].count + 1));
+  CHECK(refused(s.line.left[0].count, -1));
+  CHECK(refused(s.line.parked[0], s.line.parked[0] + 1));
+  CHECK(refused(s.line.blocked_events, 1LL << 62));
+  CHECK(refused(s.line.tries, -1));
+  CHECK(refused(s.line.sorted_chunks, s.line.sorted_chunks + 1));
+}
+
 TEST_CASE("consistency: single promises of a state") {
   static Hostile<small_gas> hostile;
   Simulation<small_gas>& simulation = hostile.simulation();
   State<small_gas>& s = simulation.state();
-  const auto refused = [&](auto& value, auto broken) {
-    const auto good = value;
-    value = broken;
-    const bool is_accepted = simulation.is_consistent();
-    value = good;
-    CHECK(simulation.is_consistent());
-    return !is_accepted;
-  };
+  const auto refused = [&](auto& value, auto broken) { return is_refused(simulation, value, broken); };
   CHECK(refused(s.particles.id[3], -1));
   CHECK(refused(s.particles.id[3], s.particles.id[4]));
   CHECK(refused(s.particles.id[3], small_gas::particle_count));

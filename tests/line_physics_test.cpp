@@ -112,7 +112,7 @@ void check_turned() {
     turn(p.position);
     for (int c = 0; c < 3; ++c) maximum = std::max(maximum, std::abs(p.position[c] - q.position[c]) / Case::diameter);
   }
-  CHECK(maximum < 1e-11);
+  CHECK(maximum < 1e-10);
   for (int s = 0; s < Case::slice_count; ++s)
     CHECK(line.pressure_gradient(s) == doctest::Approx(turned_line.pressure_gradient(s)).epsilon(1e-9));
 }

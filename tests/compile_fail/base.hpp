@@ -63,6 +63,13 @@ struct LineOfSizes : Open<Sizes> {
   static constexpr int first_fed_kind = 4;
 };
 
+/// A line with compressible gas.
+struct AirLine : Line {
+  static constexpr bool has_gas = true, gas_compressible = true, gas_storage = true;
+  static constexpr double gas_velocity = 10, gas_density = 1.2, gas_viscosity = 1.5e-5, gas_bed_diameter = 0.01;
+  static constexpr double gas_outlet_pressure = 1e5;
+};
+
 /// What a user of a case writes; instantiating it is what must fail.
 template <class Case>
 int use() {

@@ -1,5 +1,5 @@
 // The control: the base case itself, its linear twin, one with gas, one particle in gas in a vertical pipe, one in
-// mixed precision, two with rolling resistance, two with several sizes, one with gas on a slope and three open lines
+// mixed precision, two with rolling resistance, two with several sizes, one with gas on a slope and four open lines
 // must compile.
 #include "base.hpp"
 
@@ -49,4 +49,5 @@ template int use<GasOnSlope>();
 template int use<Line>();
 template int use<LineInGas>();
 template int use<LineOfSizes>();
+template int use<AirLine>();
 }  // namespace fixdem::compile_fail

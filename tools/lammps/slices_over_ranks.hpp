@@ -32,7 +32,7 @@ class SlicesOverRanks {
   int add(const double* x, const double* v, bool floats) {
     const int s = slice_at<Case>(x[2]);
     is_own_[static_cast<std::size_t>(s / W)] = true;
-    if (!floats) detail::count_in_slice(slices_, s, x[1], v[2]);
+    if (!floats) detail::count_in_slice(slices_, s, height_of<Case>(x), v[2]);
     return s;
   }
   /// Sums over all ranks.
