@@ -107,6 +107,8 @@ TEST_CASE("casegen refuses gas that is given twice, not at all, or without what 
   check_refused(
       driven("inlet_pressure = 2e4"), "2e4",
       {"inlet_pressure = 20000 is not above outlet_pressure = 101325; allowed: above it", "both are absolute"});
+  check_refused(driven("inlet_pressure = 2e5\nsupply_volume = 0.5"), "0.5",
+                {"[gas] supply_volume = 0.5 together with inlet_pressure", "remove it"});
   const std::string kept = "storage = false\n";
   check_refused(compressible(kept + "supply_volume = 0.5"), "false",
                 {"storage = false with supply_volume; allowed: true"});
@@ -128,7 +130,9 @@ TEST_CASE("casegen says whether gas of constant density is good enough for a pip
   check_quiet(long_line("10.0", compressible()));
   check_warned(long_line("11.0", compressible()), "11.0",
                {"[pipe] length = 11 without storage", "set [gas] storage = true"});
-  check_quiet(long_line("50.0", compressible("storage = true")));
+  check_quiet(long_line("50.0", compressible("storage = true\nupdate_interval = 50")));
+  check_warned(long_line("50.0", compressible("storage = true")), "true\nstorage",
+               {"update_interval = 1 with storage", "set it to 50"});
   // Few particles lose little, and a periodic pipe is a piece of a line.
   check_quiet(long_line("6.0", replaced(line_case, "count = 2", "count = 2\ncapacity = 20")));
   check_quiet(long_line("50.0", replaced(good_case, "count = 2", "count = 200")));

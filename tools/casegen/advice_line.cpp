@@ -18,6 +18,7 @@ namespace {
 constexpr double loss_per_length = 1000, loss_at_density = 1000;  // Pa/m, kg/m3
 constexpr double small_share = 0.05;                              // of the pressure at the outlet
 constexpr double longest_without_storage = 10;                    // m
+constexpr double between_updates = 1e-4;                          // s
 constexpr std::int64_t fewest_in_plugs = 100;
 
 double maximum_of(const TimeTable& rows) { return std::ranges::max_element(rows, {}, &TimeValue::value)->value; }
@@ -55,6 +56,11 @@ void advise_gas(const Reading& reading, Report& report) {
         fmt::format("{} without storage: gas takes as long to fill it as a plug to pass", reading.quote("pipe.length")),
         fmt::format("set [gas] storage = true; steady pressures are good enough up to about {:.0f} m",
                     longest_without_storage));
+  if (v.gas_storage && v.gas_update_interval == 1)
+    report.warning(reading.place("gas.compressible"),
+                   "[gas] update_interval = 1 with storage: the gas takes more than 10 % of the time of a plug's step",
+                   fmt::format("set it to {}, that is every {:.2g} s: pressures change within milliseconds",
+                               std::max(2, static_cast<int>(between_updates / v.time_step)), between_updates));
 }
 
 void advise_feed(const Reading& reading, Report& report) {

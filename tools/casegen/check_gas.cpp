@@ -66,6 +66,9 @@ void check_drive(const Reading& reading, Report& report) {
                  fmt::format("{} is not above outlet_pressure = {}; allowed: above it", reading.quote(inlet),
                              v.gas_outlet_pressure),
                  "both are absolute: add the pressure of the atmosphere to that of a gauge");
+  if (const char* supply = "gas.supply_volume"; reading.has(inlet) && reading.has(supply))
+    report.error(reading.place(supply), fmt::format("{} together with inlet_pressure", reading.quote(supply)),
+                 "remove it: a given pressure holds whatever the volume");
   const bool needs_storage = reading.has("gas.supply_volume") || reading.has(inlet) || v.has_blower();
   if (needs_storage && reading.has("gas.storage") && !v.gas_storage && reading.usable({"gas.storage"}))
     report.error(reading.place("gas.storage"),

@@ -15,7 +15,7 @@ void Rewind::keep(double seconds) {
   const std::span<char> memory = view_.memory();
   if (memory.size() > maximum_copy) return;
   const auto begin = std::chrono::steady_clock::now();
-  copy_.assign(memory.begin(), memory.end());
+  copy_.assign(memory.data(), memory.size());
   step_ = view_.step();
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   next_ = seconds + std::max(least_interval, intervals_per_copy * taken);

@@ -226,7 +226,7 @@ void TimeLoop::write_checkpoint() {
   checkpoint.seed = options_.seed, checkpoint.frames = options_.frames, checkpoint.start = options_.start_hash;
   checkpoint.step = view_.step(), checkpoint.time = view_.time();
   checkpoint.outputs = outputs_.position();
-  checkpoint.simulation.assign(memory.begin(), memory.end());
+  checkpoint.simulation.assign(memory.data(), memory.size());
   BinaryWriter writer;
   const double before = wall_time_before_;
   wall_time_before_ += seconds_since(begin_);
