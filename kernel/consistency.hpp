@@ -10,7 +10,7 @@
 //   walls      the same, and every particle once, in increasing order
 //   slots      where they are used: every particle of a chunk once; rows lie in the ring; rows of zeros are zero
 //   kept       no history is being carried over
-//   line       slots taken are those of the rows, kinds are in the table of sizes
+//   line       slots taken are those of the rows, kinds are in the table of sizes, and whole numbers balance
 //   the rest   flags are true or false, the step is a possible one, there is no fault
 // Values (histories, ledgers, speeds, pressures) are not judged: they may make a run stop with a fault, never read
 // elsewhere. What is written before it is used (scratch, cells, rows for later, slices of the gas) is not looked at. A
@@ -63,6 +63,26 @@ bool are_slots_of_line_consistent([[maybe_unused]] const Particles<Case>& p) {
         if (kind < 0 || kind >= kinds_in<Case>) return false;
   }
   return true;
+}
+
+/// Who has entered is there or has left, and has a serial number of its own time.
+template <class Case>
+bool are_books_consistent(const Line<Case>& line, const Particles<Case>& p) {
+  constexpr long long limit = 1LL << 40;  // sums of so many chunks stay far from overflow
+  const auto is_possible = [](long long count) { return count >= 0 && count < limit; };
+  if (!is_possible(line.entered.count) || !is_possible(line.tries) || !is_possible(line.blocked_events)) return false;
+  const long long ever = Case::start_count + line.entered.count;
+  long long known = 0;
+  for (int i = 0; i < p.rows(); ++i) {
+    const long long serial = p.slots.serial[p.id[i]];
+    if (serial < 0 || serial >= ever) return false;
+    known += p.is_present(i);
+  }
+  for (const Passage& of_chunk : line.left) {
+    if (!is_possible(of_chunk.count)) return false;
+    known += of_chunk.count;
+  }
+  return known == ever;
 }
 
 template <class Case>
@@ -242,7 +262,9 @@ bool is_consistent(const State<Case>& s) {
     if (!detail::are_slots_consistent(contacts, s.particles, chunk)) return false;
   if (!detail::are_zeros_zero(contacts)) return false;
   if constexpr (is_line<Case>)
-    if (s.line.sorted_chunks != chunks_in_use(s.particles) || !detail::is_flag(s.line.feeds)) return false;
+    if (s.line.sorted_chunks != chunks_in_use(s.particles) || !detail::is_flag(s.line.feeds) ||
+        !detail::are_books_consistent(s.line, s.particles))
+      return false;
   if constexpr (Case::has_gas)
     if (!detail::are_flags(s.gas.floats)) return false;
   return true;

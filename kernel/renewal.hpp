@@ -58,9 +58,10 @@ Status renew(Contacts<Case>& contacts, NearList<Case>& near, Particles<Case>& p,
   if (const Status status = kept.status(); !status.ok()) return status;
   near.most_histories = kept.count() > near.most_histories ? kept.count() : near.most_histories;
   if constexpr (D::is_periodic) wrap_into_pipe(p);
+  Status fed;
   if constexpr (is_line<Case>) {
     const int gone = take_out_gone(p);
-    if (const Status status = feed(line, p, near, gone, step); !status.ok()) return status;
+    fed = feed(line, p, near, gone, step);  // a full pipe is listed as any other, for the report
     forget_unused(contacts, chunks_in_use(p), chunks_before);
   }
   const int chunks = chunks_in_use(p);
@@ -79,7 +80,7 @@ Status renew(Contacts<Case>& contacts, NearList<Case>& near, Particles<Case>& p,
   kept.forget();
   for (int chunk = 0; chunk < chunks; ++chunk)
     if (const Status status = list_slots(contacts, near, p, scratch, chunk); !status.ok()) return status;
-  return {};
+  return fed;
 }
 
 }  // namespace fixdem

@@ -147,7 +147,6 @@ TEST_CASE("consistency: single promises of a line") {
   CHECK(refused(s.line.entered.count, s.line.entered.count + 1));
   CHECK(refused(s.line.left[0].count, s.line.left[0].count + 1));
   CHECK(refused(s.line.left[0].count, -1));
-  CHECK(refused(s.line.parked[0], s.line.parked[0] + 1));
   CHECK(refused(s.line.blocked_events, 1LL << 62));
   CHECK(refused(s.line.tries, -1));
   CHECK(refused(s.line.sorted_chunks, s.line.sorted_chunks + 1));
