@@ -40,7 +40,7 @@ def panel(top, bottom, more=""):
 
 def key(top):
     """In one row above a panel."""
-    return f"set key at screen {(LEFT + RIGHT) / 2},{top + 0.02} center center vertical maxrows 1 samplen 2 width 1\n"
+    return f"set key at screen {(LEFT + RIGHT) / 2},{top + 0.02} center center vertical maxrows 1 samplen 2 width -1\n"
 
 
 def tics(values):
@@ -92,6 +92,8 @@ def words(run, case, summary):
     line, said = summary["line"], summary["line_verdict"]
     text = f"`{run.name}` {dict(blocked='blocks', empty='is empty').get(said, said)}. "
     text += f"It accepts {line['accepted_rate']:.3g} of {line['asked_rate']:.3g} kg/s and holds {line['holdup']:.3g} kg at {line['inlet_pressure'] / 1000:.3g} kPa above the outlet. "
+    if line["blocked_time"]:
+        text += f"For {line['blocked_time']:.1f} s more than a second of feed waits for room in the feed section. "
     if line["plugs"]:
         text += (f"{line['plugs']} plug{'s' if line['plugs'] > 1 else ''}: fronts {line['plug_velocity']:.2f} m/s, particles in them {line['plug_particle_velocity']:.2f} m/s, {line['plug_length']:.2f} m long"
                  + (f", {line['plug_frequency']:.2f} per second at the middle" if line["plug_frequency"] else "") + ". ")  # fmt: skip

@@ -46,7 +46,7 @@ def fig_12(run, summary, pipe, out):
     word = verdict(summary["plug"])
     return (
         "The same with 500 particles",
-        f"At the end the plug {WORDS[word]}; the mean axial velocity is {summary['final']['mean_axial_velocity']:.3f} m/s. "
+        f"At the end the plug {WORDS[word]}; the mean axial velocity is {round(summary['final']['mean_axial_velocity'], 3) + 0.0:.3f} m/s. "
         + ("As in the paper, so few particles form no plug that lasts." if word == "collapses" else "In the paper no plug is left."),
     )
 
