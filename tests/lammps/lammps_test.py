@@ -26,9 +26,16 @@ from marked_part import MarkedPart  # noqa: E402
 
 
 def check_cases(bench, checks):
-    """Every shipped case from its own start; those with gas whose program is not built as far as scene.in goes."""
+    """Every shipped case from its own start; those with gas whose program is not built as far as scene.in goes. Refused are
+    those that tools/lammps/README.md says are."""
+    listed = (Path(scene_files.__file__).parent / "README.md").read_text()
     for header in sorted((bench.headers / "cases").glob("*.hpp")):
         case = read_header(header)
+        reason = scene_files.refusal(case)
+        said = f"| `{case['name']}` | refused |" in listed
+        if said or reason is not None:
+            checks.note(f"case {case['name']}: is refused as listed", said and reason is not None, reason or "exported")
+            continue
         state = bench.states / f"{case['name']}-start" / "final.fixdem"
         if case["has_gas"] and not (bench.build / "lammps" / "gas_beside" / case["name"]).exists():
             folder = bench.out / case["name"]
