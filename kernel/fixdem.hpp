@@ -184,11 +184,7 @@ class Simulation {
   /// What enters at the inlet, kg/s.
   double gas_supply() const { return fixdem::gas_supply(s_.gas); }
   /// Over the whole pipe, Pa.
-  double pressure_drop() const {
-    double drop = 0;
-    for (int s = 0; s < Case::slice_count; ++s) drop += s_.gas.pressure_gradient[s] * D::slice_length;
-    return drop;
-  }
+  double pressure_drop() const { return loss_from_node(s_.gas, 0); }
 
   static constexpr int high_water_count() { return detail::high_water_marks; }
   HighWater high_water(int k) const { return detail::high_water(s_.near_list, k); }

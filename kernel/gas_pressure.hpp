@@ -160,14 +160,21 @@ double solve_pressures(SliceArrays<Case>& gas, double bulk_velocity, bool is_fir
 
 namespace fixdem {
 
+/// What the gas loses from a node to the outlet by the gradients of the slices, Pa.
+template <class Case>
+double loss_from_node(const SliceArrays<Case>& gas, int node) {
+  double loss = 0;
+  for (int s = node; s < Case::slice_count; ++s) loss += gas.pressure_gradient[s] * Derived<Case>::slice_length;
+  return loss;
+}
+
 /// Pressure at node 0 (inlet) to slice_count (outlet) above that of the outlet, Pa.
 template <class Case>
 double pressure_at_node(const SliceArrays<Case>& gas, int node) {
-  if constexpr (is_compressible<Case>) return gas.pressures.above_outlet[node];
-  double pressure = 0;
-  for (int s = Case::slice_count - 1; s >= node; --s)
-    pressure += gas.pressure_gradient[s] * Derived<Case>::slice_length;
-  return pressure;
+  if constexpr (is_compressible<Case>)
+    return gas.pressures.above_outlet[node];
+  else
+    return loss_from_node(gas, node);
 }
 
 /// U of a slice, m/s: the flow through the bed and above it, eq. (38).

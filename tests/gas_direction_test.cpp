@@ -160,7 +160,7 @@ void check_ramp() {
     const double U = updated <= 4 ? 2 : updated >= 14 ? 3 : 2 + 0.1 * (updated - 4);
     CAPTURE(step);
     CHECK(simulation.gas_velocity_above(15) == doctest::Approx(U).epsilon(1e-12));
-    CHECK(bulk_velocity_in(simulation.state().gas, 15) == doctest::Approx(U).epsilon(1e-12));
+    CHECK(simulation.bulk_velocity(15) == doctest::Approx(U).epsilon(1e-12));
     CHECK(simulation.pressure_gradient(15) ==
           doctest::Approx(reference::free_gradient(U, 0.05, {U, 1.2, 1.5e-5})).epsilon(1e-11));
   }
@@ -174,15 +174,15 @@ TEST_CASE("gas: a velocity in time is that of each update") {
 TEST_CASE("gas: pressures at nodes add up, and the flow is the velocity times the section") {
   enter({level::name, seed()});
   auto& simulation = after_a_step<level>(random_spheres<level>(0.5, Random(seed())));
-  const auto& gas = simulation.state().gas;
-  CHECK(pressure_at_node(gas, 0) == doctest::Approx(simulation.pressure_drop()).epsilon(1e-13));
-  CHECK(pressure_at_node(gas, level::slice_count) == 0);
+  CHECK(simulation.pressure(0) == simulation.pressure_drop());
+  CHECK(simulation.pressure(level::slice_count) == 0);
   for (int s = 0; s < level::slice_count; ++s) {
-    CHECK(pressure_at_node(gas, s) - pressure_at_node(gas, s + 1) ==
+    CHECK(simulation.pressure(s) - simulation.pressure(s + 1) ==
           doctest::Approx(simulation.pressure_gradient(s) * 0.01).epsilon(1e-9));
-    CHECK(bulk_velocity_in(gas, s) == doctest::Approx(2.4).epsilon(1e-12));
+    CHECK(simulation.gas_density(s) == 1.2);
+    CHECK(simulation.bulk_velocity(s) == doctest::Approx(2.4).epsilon(1e-12));
   }
-  CHECK(gas_supply(gas) == doctest::Approx(1.2 * 2.4 * section_of<level>).epsilon(1e-12));
+  CHECK(simulation.gas_supply() == doctest::Approx(1.2 * 2.4 * section_of<level>).epsilon(1e-12));
 }
 
 }  // namespace
