@@ -36,6 +36,7 @@ include tools/make/run_report.mk
 include tools/make/figures.mk
 include tools/make/lammps.mk
 include tools/make/sweep.mk
+include tools/make/validate.mk
 include tools/make/bench.mk
 include tools/make/pictures.mk
 include tools/make/systems.mk
