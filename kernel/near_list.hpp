@@ -18,6 +18,10 @@ namespace fixdem {
 
 inline constexpr int order_interval = 16;  ///< steps between two decisions whether to sort
 inline constexpr double speed_growth = 4;  ///< allowed for between two decisions; beyond, the run stops
+/// Where a new order would not last for so many steps with that allowance, the next decision is made at the next step
+/// and none is needed: what has been travelled is known before contacts are computed. A line of 110 000 spheres of 3 mm
+/// at 3e-5 s was sorted at every step without this.
+inline constexpr double fewest_steps = 4;
 
 template <class Case>
 struct NearList {
@@ -80,14 +84,16 @@ struct NearList {
     const VelocityBox still{{0, 0, 0}, {0, 0, 0}};
     const double rest = outer.allowed_travel() - longest;
     const double of_a_step = (speed_growth * fastest + still.speed(frame)) * Case::time_step;
-    if (!(of_a_step <= rest)) return true;
+    const bool is_short_lived = fewest_steps * of_a_step > outer.allowed_travel();
+    if (!((is_short_lived ? 0 : of_a_step) <= rest)) return true;
     // What flies as one leaves a periodic pipe without using anything up; it must not by a whole length.
     if (D::is_periodic &&
         abs(frame[2]) * Case::time_step * static_cast<double>(step - sorted_at) > 0.5 * Case::pipe_length)
       return true;
     const int most =
         step < order_interval ? 1 : order_interval;  // what lies overlapping at the start becomes fast at once
-    next_decision = step + (most * of_a_step <= rest ? most : static_cast<int>(rest / of_a_step));
+    const int lasts = most * of_a_step <= rest ? most : static_cast<int>(rest / of_a_step);
+    next_decision = step + (lasts > 0 ? lasts : 1);
     return false;
   }
   /// After a sort. In a state so fast that no allowance would do, the next decision is made at the next step.

@@ -91,7 +91,7 @@ def main():
 
     folder = chosen.page.parent / "validation"
     folder.mkdir(parents=True, exist_ok=True)
-    results = Results(folder / "results.json", Places(chosen.cases.resolve(), chosen.build.resolve(), chosen.out.resolve(), chosen.make.split(), chosen.jobs))
+    results = Results(folder / "results.json", Places(chosen.cases, chosen.build, chosen.out, chosen.make.split(), chosen.jobs))
     every = sections()
     rows = chosen_rows(every, chosen.row, chosen.section)
     if not chosen.kept:
