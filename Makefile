@@ -40,6 +40,7 @@ include tools/make/validate.mk
 include tools/make/bench.mk
 include tools/make/pictures.mk
 include tools/make/systems.mk
+include tools/make/validate_contacts.mk
 
 # All cores, unless the caller has already said how many.
 parallel = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1))

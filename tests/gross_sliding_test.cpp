@@ -1,5 +1,6 @@
 // Impacts that slide from beginning to end: what friction takes of the tangential velocity.
 #include "impact_scene.hpp"
+#include "recorded.hpp"
 
 namespace fixdem::tests {
 namespace {
@@ -36,17 +37,21 @@ double share_of_coulomb() {
   return (1 - after.velocity[0]) / (Case::friction * (1 + after.velocity[2]));
 }
 
+constexpr Quantity share{"impulse over mu (1 + e) m v", ""};
+
 TEST_CASE("gross sliding: the cap mu |f_n| also acts while f_n attracts at the end of a contact") {
   // Integral of |f_n| over that of f_n for m x'' + eta x^(1/4) x' + K x^(3/2) = 0, by a Runge-Kutta program.
-  CHECK(share_of_coulomb<sliding_impact<5>>() == doctest::Approx(1.06704).epsilon(1e-3));
-  CHECK(share_of_coulomb<sliding_impact<9>>() == doctest::Approx(1.00213).epsilon(2e-4));
+  const Table table{"gross-sliding", "reference integration"};
+  check_figure(table, "total force, e = 0.5", share, 1.06704, share_of_coulomb<sliding_impact<5>>(), 1e-3);
+  check_figure(table, "total force, e = 0.9", share, 1.00213, share_of_coulomb<sliding_impact<9>>(), 2e-4);
 }
 
 TEST_CASE("gross sliding: limited by the elastic force it takes Coulomb's impulse, whatever the restitution") {
-  CHECK(share_of_coulomb<elastic_sliding<2>>() == doctest::Approx(1).epsilon(2e-3));
-  CHECK(share_of_coulomb<elastic_sliding<5>>() == doctest::Approx(1).epsilon(1e-3));
-  CHECK(share_of_coulomb<elastic_sliding<9>>() == doctest::Approx(1).epsilon(1e-4));
-  CHECK(share_of_coulomb<elastic_impulse>() == doctest::Approx(1).epsilon(1e-6));
+  const Table table{"gross-sliding", "closed form (Coulomb)"};
+  check_figure(unrecorded, "elastic force, e = 0.2", share, 1, share_of_coulomb<elastic_sliding<2>>(), 2e-3);
+  check_figure(unrecorded, "elastic force, e = 0.5", share, 1, share_of_coulomb<elastic_sliding<5>>(), 1e-3);
+  check_figure(table, "elastic force, e = 0.9", share, 1, share_of_coulomb<elastic_sliding<9>>(), 2e-4);
+  check_figure(table, "elastic force, e = 0.2, impulses", share, 1, share_of_coulomb<elastic_impulse>(), 1e-6);
 }
 
 }  // namespace

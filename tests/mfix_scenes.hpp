@@ -12,6 +12,7 @@
 #include "cases/collide_wall.hpp"
 #include "cases/drag_single.hpp"
 #include "listed_sizes.hpp"
+#include "recorded.hpp"
 #include "support.hpp"
 
 namespace fixdem::tests {
@@ -34,7 +35,7 @@ struct dropped_ball : cases::collide_wall {
 };
 
 template <template <class> class Solver, class Case>
-void check_dropped_ball(double return_time, double return_speed) {
+void check_dropped_ball(const Table& table, double return_time, double return_speed) {
   enter({Case::name, 0});
   static Solver<Case> solver;
   const double r = Case::diameter / 2, height = r + 0.4;
@@ -52,16 +53,18 @@ void check_dropped_ball(double return_time, double return_speed) {
     z_before = p.position[2], v_before = p.velocity[2];
   }
   REQUIRE(crossings.size() == 2);
-  CHECK(std::abs(crossings[0][0] - 0.285617) < 2e-5);  // one step
-  CHECK(crossings[0][1] == doctest::Approx(-2.800950).epsilon(2e-4));
-  CHECK(std::abs(crossings[1][0] - return_time) < 3e-5);
-  CHECK(crossings[1][1] == doctest::Approx(return_speed).epsilon(5e-4));
+  const std::string row = "e = " + in_words(Case::restitution);
+  const Table& falls = Case::restitution == 1 ? table : unrecorded;                            // the same for both
+  check_figure(falls, "the fall", {"time of contact", "s"}, 0.285617, crossings[0][0], 2e-5);  // one step
+  check_share(falls, "the fall", {"velocity at contact", "m/s"}, -2.800950, crossings[0][1], 2e-4);
+  check_figure(table, row, {"time of return", "s"}, return_time, crossings[1][0], 3e-5);
+  check_share(table, row, {"velocity of return", "m/s"}, return_speed, crossings[1][1], 5e-4);
 }
 
 template <template <class> class Solver>
-void check_dropped_balls() {
-  check_dropped_ball<Solver, dropped_ball<100>>(0.396887, 2.800950);
-  check_dropped_ball<Solver, dropped_ball<90>>(0.397435, 2.475443);
+void check_dropped_balls(const Table& table = unrecorded) {
+  check_dropped_ball<Solver, dropped_ball<100>>(table, 0.396887, 2.800950);
+  check_dropped_ball<Solver, dropped_ball<90>>(table, 0.397435, 2.475443);
 }
 
 /// MFIX DEM03: two balls of 1 mm, the lower of twice the density, at rest and pressed between walls 1.8 mm apart;
@@ -86,7 +89,7 @@ struct between_walls : sized<pressed_balls, short_pipe> {
 
 /// Heights at three times to `bound`, m.
 template <template <class> class Solver, class Case>
-void check_pressed_balls(double bound) {
+void check_pressed_balls(double bound, const Table& table = unrecorded) {
   enter({Case::name, 0});
   static Solver<Case> solver;
   constexpr double middle = Case::pipe_diameter / 2;
@@ -98,17 +101,19 @@ void check_pressed_balls(double bound) {
                                      {160.74e-6, 0.4235740682e-3, 1.3872912607e-3}};
   for (const auto& [time, lower, upper] : expected) {
     run(solver, std::llround(time / Case::time_step) - solver.step());
-    CHECK(std::abs(solver.particle(0).position[1] + middle - lower) < bound);
-    CHECK(std::abs(solver.particle(1).position[1] + middle - upper) < bound);
+    const std::string row = in_words(time * 1e6) + " us";
+    const double y[2] = {solver.particle(0).position[1] + middle, solver.particle(1).position[1] + middle};
+    check_figure(table, row, {"height of the lower ball", "mm"}, lower * 1e3, y[0] * 1e3, bound * 1e3);
+    check_figure(table, row, {"height of the upper ball", "mm"}, upper * 1e3, y[1] * 1e3, bound * 1e3);
   }
   CHECK(solver.particle(0).position[0] == 0);
 }
 
 template <template <class> class Solver>
-void check_all_pressed_balls() {
+void check_all_pressed_balls(const Table& table = unrecorded) {
   check_pressed_balls<Solver, between_walls<Integrator::euler>>(5e-9);
   check_pressed_balls<Solver, between_walls<Integrator::leapfrog>>(1e-12);
-  check_pressed_balls<Solver, between_walls<Integrator::impulse>>(1e-12);
+  check_pressed_balls<Solver, between_walls<Integrator::impulse>>(1e-12, table);
 }
 
 /// MFIX DEM06: one grain in rising gas; its speed after 0.1 s and in the end.
@@ -125,15 +130,18 @@ struct grain_in_gas : cases::drag_single {
 };
 
 template <template <class> class Solver>
-void check_grain_in_gas() {
+void check_grain_in_gas(const Table& table = unrecorded) {
   enter({grain_in_gas::name, 0});
   static Solver<grain_in_gas> solver;
   solver.place(0, {{0, 0, 0.01}, {0, 0, 0}, {0, 0, 0}});
   start(solver);
   run(solver, 10000);
-  CHECK(std::abs(solver.particle(0).velocity[2] - -0.05263133) < 2e-6);  // first order: 1.4e-6 at 1e-5 s
+  const Quantity velocity{"velocity", "m/s"};
+  check_figure(table, "after 0.1 s", velocity, -0.05263133, solver.particle(0).velocity[2],
+               2e-6);  // first order: 1.4e-6 at 1e-5 s
   run(solver, 140000);
-  CHECK(std::abs(solver.particle(0).velocity[2] - -0.05740169) < 1e-8);  // the limit does not depend on the step
+  check_figure(table, "in the end", velocity, -0.05740169, solver.particle(0).velocity[2],
+               1e-8);  // the limit does not depend on the step
 }
 
 }  // namespace fixdem::tests

@@ -6,6 +6,7 @@
 
 #include "impact_scene.hpp"
 #include "mixed.hpp"
+#include "recorded.hpp"
 
 namespace fixdem::tests {
 namespace {
@@ -47,7 +48,7 @@ std::vector<double> contact_times(Simulation<Case>& simulation, int count, long 
 
 /// All angles at once, each sphere for itself. `tolerance`: m/s; of the contact time a hundred times that, us.
 template <class Case>
-void check_rebounds(const Rebound* rebounds, int count, double tolerance) {
+void check_rebounds(const Rebound* rebounds, int count, double tolerance, const Table& table = unrecorded) {
   enter({Case::name, seed()});
   static Simulation<Case> simulation;
   const double d = Case::diameter, pi = Derived<Case>::pi;
@@ -62,17 +63,20 @@ void check_rebounds(const Rebound* rebounds, int count, double tolerance) {
   place_all(simulation, spheres);
   start(simulation);
   const auto times = contact_times(simulation, count, static_cast<long long>(3e-4 / Case::time_step));
+  WorstFigures worst(table, "mu = " + in_words(Case::wall_friction) + ", e = " + in_words(Case::wall_restitution));
   for (int k = 0; k < count; ++k) {
     const Rebound& expected = rebounds[k];
-    CAPTURE(expected.degrees);
+    const std::string angle = in_words(expected.degrees) + " degrees";
     const Particle after = simulation.particle(k);
     constexpr bool is_elastic = Case::friction_limit == FrictionLimit::elastic;
     const double velocity = is_elastic ? expected.velocity_elastic : expected.velocity_total;
     const double spin = is_elastic ? expected.spin_elastic : expected.spin_total;
-    CHECK(std::abs(after.velocity[2] - Case::wall_restitution * std::cos(expected.degrees * pi / 180)) < tolerance);
-    CHECK(std::abs(after.velocity[0] - velocity) < tolerance);
-    CHECK(std::abs(1e6 * times[static_cast<std::size_t>(k)] - expected.contact_time) < tolerance * 1e2);
-    CHECK(std::abs(after.angular_velocity[1] - spin) * d / 2 < tolerance);
+    const double rebound = Case::wall_restitution * std::cos(expected.degrees * pi / 180);
+    worst.check(angle, {"normal velocity", "m/s"}, rebound, after.velocity[2], tolerance);
+    worst.check(angle, {"tangential velocity", "m/s"}, velocity, after.velocity[0], tolerance);
+    worst.check(angle, {"angular velocity", "rad/s"}, spin, after.angular_velocity[1], tolerance / (d / 2));
+    worst.check(angle, {"contact time", "us"}, expected.contact_time, 1e6 * times[static_cast<std::size_t>(k)],
+                tolerance * 1e2);
   }
 }
 
@@ -81,7 +85,8 @@ void check_wall(const Rebound (&rebounds)[count]) {
   using enum FrictionLimit;
   using enum Integrator;
   check_rebounds<onto_wall<hundredths, tenths, total, impulse>>(rebounds, count, 2e-4);
-  check_rebounds<onto_wall<hundredths, tenths, elastic, impulse>>(rebounds, count, 2e-4);
+  check_rebounds<onto_wall<hundredths, tenths, elastic, impulse>>(rebounds, count, 2e-4,
+                                                                  {"own-walls", "reference integration"});
   check_rebounds<in_mixed_precision<onto_wall<hundredths, tenths, total, impulse>>>(rebounds, count, 3e-4);
   check_rebounds<in_mixed_precision<onto_wall<hundredths, tenths, elastic, impulse>>>(rebounds, count, 3e-4);
   check_rebounds<onto_wall<hundredths, tenths, total, euler>>(rebounds, count, 1e-3);

@@ -10,6 +10,7 @@
 #include <array>
 
 #include "cases/collide_wall.hpp"
+#include "recorded.hpp"
 #include "support.hpp"
 #include "tools/run/contact_time.hpp"
 
@@ -54,7 +55,7 @@ struct impacts : Material {
 
 /// Every impact returns the restitution asked to 1e-3.
 template <template <class> class Solver, class Case>
-void check_restitution() {
+void check_restitution(const Table& table = unrecorded) {
   enter({Case::name, 0});
   static Solver<Case> solver;
   const double d = Case::diameter, r = d / 2, dt = Case::time_step;
@@ -90,12 +91,12 @@ void check_restitution() {
   };
   for (int piece = 0; piece < 400 && !parted(); ++piece) run(solver, 100);
   REQUIRE(parted());
+  WorstFigures worst(table, "e = " + in_words(Case::restitution));
   for (int k = 0; k < 4; ++k) {
     for (bool pair : {false, true}) {
       const double e = parting_speed(k, pair) / impact_speeds[k];
-      CAPTURE(impact_speeds[k]);
-      CAPTURE(pair);
-      CHECK(std::abs(e - Case::restitution) < 1e-3);
+      worst.check((pair ? "pair at " : "wall at ") + in_words(impact_speeds[k]) + " m/s",
+                  {"rebound over impact velocity", ""}, Case::restitution, e, 1e-3);
     }
   }
 }

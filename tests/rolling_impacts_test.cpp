@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "kernel/fixdem.hpp"
+#include "recorded.hpp"
 #include "reference/reference.hpp"
 #include "rolling_scenes.hpp"
 
@@ -22,26 +23,29 @@ struct Row {
   bool slips;
 };
 
-void check_impact(const RollingImpact& got, const Row& row, const Bounds& bounds) {
+void check_impact(WorstFigures& worst, const RollingImpact& got, const Row& row, const Bounds& bounds) {
   const RollingImpact& expected = row.expected;
-  CAPTURE(expected.spin);
-  CHECK(std::abs(got.spin_after - expected.spin_after) * 0.005 <
-        (row.slips ? bounds.slipping_velocity : bounds.velocity));
-  CHECK(std::abs(got.velocity_after - expected.velocity_after) <
-        (row.slips ? bounds.slipping_velocity : bounds.velocity));
-  CHECK(std::abs(got.work / expected.work - 1) < (row.slips ? bounds.slipping_work : bounds.work));
+  const std::string which = "spin " + in_words(expected.spin) + " rad/s";
+  const double allowed = row.slips ? bounds.slipping_velocity : bounds.velocity;
+  worst.check(which, {"angular velocity", "rad/s"}, expected.spin_after, got.spin_after, allowed / 0.005);
+  worst.check(which, {"tangential velocity", "m/s"}, expected.velocity_after, got.velocity_after, allowed);
+  worst.check(which, {"work of rolling resistance", "J"}, expected.work, got.work,
+              (row.slips ? bounds.slipping_work : bounds.work) * expected.work);
 }
 
 template <class Solver, class Case>
-void check_impacts(std::initializer_list<Row> on_wall, std::initializer_list<Row> of_pair, const Bounds& bounds) {
+void check_impacts(std::initializer_list<Row> on_wall, std::initializer_list<Row> of_pair, const Bounds& bounds,
+                   const Table& table) {
   enter({Case::name, 0});
   static Solver solver;
-  for (const Row& row : on_wall) check_impact(impact_on_wall<Case>(solver, row.expected.spin), row, bounds);
-  for (const Row& row : of_pair) check_impact(impact_of_pair<Case>(solver, row.expected.spin), row, bounds);
+  const std::string e = ", e = " + in_words(Case::restitution);
+  WorstFigures pairs(table, "10 mm on 10 mm" + e), walls(table, "10 mm on a wall" + e);  // recorded: walls first
+  for (const Row& row : on_wall) check_impact(walls, impact_on_wall<Case>(solver, row.expected.spin), row, bounds);
+  for (const Row& row : of_pair) check_impact(pairs, impact_of_pair<Case>(solver, row.expected.spin), row, bounds);
 }
 
 template <template <class> class Solver, Integrator scheme, int step_in_ns>
-void check_restitution_9(const Bounds& bounds) {
+void check_restitution_9(const Bounds& bounds, const Table& table = unrecorded) {
   using Case = rolling_impact<9, scheme, step_in_ns>;
   check_impacts<Solver<Case>, Case>({{{10, -4.94387998, -0.0049761888, 6.466498034e-08}, false},
                                      {{50, -1.60420093, 0.0461362757, 4.303951992e-06}, false},
@@ -51,11 +55,11 @@ void check_restitution_9(const Bounds& bounds) {
                                      {{50, 26.25000000, 0, 9.482046577e-06}, true},
                                      {{200, 176.25000000, 0, 4.678845934e-05}, true},
                                      {{800, 776.25000000, 0, 1.960141104e-04}, true}},
-                                    bounds);
+                                    bounds, table);
 }
 
 template <template <class> class Solver, Integrator scheme, int step_in_ns>
-void check_restitution_5(const Bounds& bounds) {
+void check_restitution_5(const Bounds& bounds, const Table& table = unrecorded) {
   using Case = rolling_impact<5, scheme, step_in_ns>;
   check_impacts<Solver<Case>, Case>({{{10, -1.10205101, -0.0076613671, 3.342259337e-08}, false},
                                      {{50, 5.41008459, 0.0124103857, 2.625658236e-06}, false},
@@ -65,7 +69,7 @@ void check_restitution_5(const Bounds& bounds) {
                                      {{50, 31.25000000, 0, 7.976700097e-06}, true},
                                      {{200, 181.25000000, 0, 3.742913122e-05}, true},
                                      {{800, 781.25000000, 0, 1.552388557e-04}, true}},
-                                    bounds);
+                                    bounds, table);
 }
 
 template <class Case>
@@ -78,7 +82,8 @@ TEST_CASE("rolling: impacts by impulses, in the reference") {
 TEST_CASE("rolling: impacts by impulses") {
   check_restitution_9<Simulation, Integrator::impulse, 100>({1e-4, 3e-3, 1e-8, 1e-6});
   check_restitution_5<Simulation, Integrator::impulse, 100>({1e-4, 3e-3, 1e-8, 1e-6});
-  check_restitution_9<Simulation, Integrator::impulse, 20>({2e-5, 6e-4, 1e-8, 1e-6});
+  check_restitution_9<Simulation, Integrator::impulse, 20>({2e-5, 6e-4, 1e-8, 1e-6},
+                                                           {"rolling-impacts", "reference integration"});
   check_restitution_5<Simulation, Integrator::impulse, 20>({2e-5, 6e-4, 1e-8, 1e-6});
 }
 TEST_CASE("rolling: impacts by euler and leapfrog") {

@@ -44,18 +44,19 @@ inline std::vector<TurningFigures> chung_ooi_8_figures(FrictionLimit limit) {
 
 /// Bounds: m/s, at the surface for spins; the big sphere's spin is to the share of its own that this is of 0.12 m/s.
 template <template <class> class Solver, class Case>
-void check_chung_ooi_8(double bound) {
+void check_chung_ooi_8(double bound, const Table& table = unrecorded) {
   static Solver<Case> solver;
   const std::vector<TurningFigures> figures = chung_ooi_8_figures(Case::friction_limit);
   std::vector<Meeting> meetings;
   for (int k = 0; k < 6; ++k) meetings.push_back({k, 6 + k, 0, 0.2, figures[k].spin, 0});
   const std::vector<Parting> found = partings<Case>(solver, meetings, 3, 2.5e-3);
   for (int k = 0; k < 6; ++k) {
-    CAPTURE(figures[k].spin);
-    CHECK(std::abs(found[k].x_i - figures[k].x) < bound);
-    CHECK(std::abs(found[k].z_i - figures[k].z) < bound);
-    CHECK(std::abs(found[k].w_i - figures[k].w) * 0.1 < bound);
-    CHECK(std::abs(found[k].w_j - figures[k].big_w) < bound / 0.12 * 5.2e-6);
+    const std::string row = "spin " + in_words(figures[k].spin) + " rad/s";
+    check_figure(table, row, {"tangential velocity", "m/s"}, figures[k].x, found[k].x_i, bound);
+    check_figure(unrecorded, row, {"normal velocity", "m/s"}, figures[k].z, found[k].z_i, bound);
+    check_figure(table, row, {"angular velocity", "rad/s"}, figures[k].w, found[k].w_i, bound / 0.1);
+    check_figure(unrecorded, row, {"angular velocity of the large sphere", "rad/s"}, figures[k].big_w, found[k].w_j,
+                 bound / 0.12 * 5.2e-6);
   }
 }
 
@@ -90,18 +91,22 @@ inline std::vector<RollingFigures> rolling_figures(int tenths) {
 
 /// Bounds: m/s at the surface; of the work.
 template <template <class> class Solver, int tenths, Integrator scheme, int step_in_ns>
-void check_unequal_rolling(double velocity_bound, double work_bound) {
+void check_unequal_rolling(double velocity_bound, double work_bound, const Table& table = unrecorded) {
   using Case = unequal_rolling<tenths, scheme, step_in_ns>;
   static Solver<Case> solver;
   const std::vector<RollingFigures> figures = rolling_figures(tenths);
   std::vector<Meeting> meetings;
   for (int k = 0; k < 4; ++k) meetings.push_back({k, 4 + k, 0, 1, figures[k].spin, -2 * figures[k].spin});
   const std::vector<Parting> found = partings<Case>(solver, meetings, 0.03, 6e-5);
+  WorstFigures worst(table, "10 mm on 5 mm, e = " + in_words(Case::restitution));
   for (int k = 0; k < 4; ++k) {
-    CAPTURE(figures[k].spin);
-    CHECK(std::abs(found[k].w_i - figures[k].w_i) * 0.005 < velocity_bound);
-    CHECK(std::abs(found[k].w_j - figures[k].w_j) * 0.0025 < velocity_bound);
-    CHECK(std::abs(found[k].rolling_work / figures[k].work - 1) < work_bound);
+    const std::string spin = "spin " + in_words(figures[k].spin) + " rad/s";
+    worst.check(spin, {"angular velocity of the large sphere", "rad/s"}, figures[k].w_i, found[k].w_i,
+                velocity_bound / 0.005);
+    worst.check(spin, {"angular velocity of the small sphere", "rad/s"}, figures[k].w_j, found[k].w_j,
+                velocity_bound / 0.0025);
+    worst.check(spin, {"work of rolling resistance", "J"}, figures[k].work, found[k].rolling_work,
+                work_bound * figures[k].work);
   }
 }
 
