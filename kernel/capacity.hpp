@@ -146,7 +146,8 @@ struct Capacity {
 
   /// Pairs of the outer list, of a chunk and across the ends. Twelve neighbours of a close packing lie within its
   /// margin, so particles own six on average; a quarter of a pair more is for chunks that own more than their share,
-  /// and three more with the margin of long steps. Overflow: the margin of the list is reduced (outer_list.hpp).
+  /// and three quarters more with the margin of long
+  /// steps. Overflow: the margin of the list is reduced (outer_list.hpp).
   static constexpr int outer_pairs =
       (chunk_size * (neighbours > 14 ? 2 * neighbours + 4 : (steps_are_long<Case> ? 28 : 25)) / 4 + 2 * batch - 1) /
       batch * batch;

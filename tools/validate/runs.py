@@ -6,6 +6,7 @@ A run is a shipped case, with other values of some keys where a row asks what th
 a page of many hours of runs outlives changes that leave results alone, and none that does not.
 """
 
+import fcntl
 import hashlib
 import json
 import os
@@ -102,6 +103,9 @@ class Results:
     lock: threading.Lock = field(default_factory=threading.Lock)
 
     def __post_init__(self):
+        self.read()
+
+    def read(self):
         if self.path.exists():
             try:
                 self.kept = json.loads(self.path.read_text())
@@ -114,7 +118,9 @@ class Results:
         return entry["figures"] if entry and entry["identity"] == self.places.identity(run) else None
 
     def put(self, run, figures):
-        with self.lock:
+        with self.lock, self.path.with_suffix(".lock").open("w") as alone:
+            fcntl.flock(alone, fcntl.LOCK_EX)  # others may be making runs for the same page
+            self.read()
             self.kept[run.name] = {"identity": self.places.identity(run), "figures": figures}
             rows = [f"{json.dumps(name)}: {json.dumps(self.kept[name], sort_keys=True)}" for name in sorted(self.kept)]
             write_whole(self.path, "{\n" + ",\n".join(rows) + "\n}\n")
