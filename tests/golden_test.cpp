@@ -1,6 +1,7 @@
 // Pinned final states: the program of every shipped case, run for a short while, must end in the same bytes as ever.
 //
-// tests/golden/states.txt holds a line for each case and precision: the steps of 0.04 s and the program's own
+// tests/golden/states.txt holds a line for each case and precision: the steps of 0.04 s, or of 0.004 s with more than
+// 10 000 particles, and the program's own
 // state_hash (positions, velocities, angular velocities, contact histories). One hash serves every compiler, lane width
 // and level of optimisation. Programs of other precisions than the case's own lie in folders of their own (rules.mk);
 // FIXDEM_GOLDEN_ALL names those that are run, of which `make test` builds some and `make check` all. A case that starts
@@ -30,7 +31,7 @@ namespace {
 namespace files = std::filesystem;
 
 const char* const head =
-    "# Final states after 0.04 s: case, precision, steps, state_hash. Renewed by `make golden`, never by hand.\n";
+    "# Final states after 0.04 s, or 0.004 s of more than 10 000 particles: case, precision, steps, state_hash. Renewed by `make golden`, never by hand.\n";
 
 struct Pinned {
   std::string path;       ///< of the program
@@ -89,8 +90,10 @@ fixdem::program::StoredState pile_of_sizes(const std::string& case_name) {
 /// Options that make the run short, quiet and independent of other runs.
 std::string options(const std::string& case_name) {
   const std::string text = read_bytes(files::path(FIXDEM_CASES_DIR) / (case_name + ".toml"));
-  std::string chosen = "--quiet --no-frames --duration 0.04";
   std::smatch found;
+  const bool has_count = std::regex_search(text, found, std::regex("\n *count *= *([0-9]+)"));
+  const bool is_large = has_count && std::stoi(found[1]) > 10000;
+  std::string chosen = std::string("--quiet --no-frames --duration ") + (is_large ? "0.004" : "0.04");
   if (std::regex_search(text, found, std::regex("\n *from *= *\"([^\"]*)\""))) {
     const std::string predecessor = found[1];
     const bool has_sizes = std::regex_search(text, std::regex("\n *\\[+particles\\."));

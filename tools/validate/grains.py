@@ -2,10 +2,11 @@
 
 from math import pi
 
+from figure_plug_velocity import PLUG_VELOCITY_LABELS, layer_picture, means_picture
 from plug_verdict import verdict
 from report import table
 from rows import Found, Row, Section, reported, said
-from scenes import axial_velocity, front, of_plug, plug, plugs
+from scenes import LINES_3MM, SEEDS, axial_velocity, front, of_plug, plug, plugs
 
 PAIRS = {"1.7": ("plug_d3_u17", "plug_u17_d3"), "2.4": ("plug_d3_u24", "plug_u24_d3")}
 GAP_3MM = [plug("plug_u17_d3", 1, "gap3", (("gas", "full_gap", "0.003"),)), plug("plug_u24_d3", 1, "gap3", (("gas", "full_gap", "0.003"),))]
@@ -90,6 +91,31 @@ def substitutes(results):
     return table(["U, m/s", "particles", "seed", *NAMES.values(), "mean axial velocity at the end, m/s", "verdict"], lines)
 
 
+def pictures(results, folder, draws):
+    """Figs. 13 and 15 with true particles and lines."""
+    plugs_of = {"10 mm": {1.7: "plug_u17", 2.4: "plug_u24"}, "10 mm, 3 mm in eq. (33)": {1.7: "plug_u17_d3", 2.4: "plug_u24_d3"}, "true 3 mm": {1.7: "plug_d3_u17", 2.4: "plug_d3_u24"}}
+    fronts, layers = {}, {}
+    for name, at in plugs_of.items():
+        for gas, case in at.items():
+            found = [one for one in map(results.of, plugs(case)) if one is not None]
+            if len(found) == len(SEEDS):
+                fronts.setdefault(name, {})[gas] = [front(one) or 0.0 for one in found]
+            moving = [one["plug"] for one in found if verdict(one["plug"]) == "moves"]
+            layers.setdefault(name, []).extend((plug_found["particle_velocity"] / (9.81 * 0.05) ** 0.5, plug_found["layer_area_ratio"]) for plug_found in moving)
+    for run, gas in zip(LINES_3MM, (1.7, 2.4)):
+        one = results.of(run)
+        if one and one["plugs"]:
+            fronts.setdefault("open line, 3 mm", {})[gas] = [plug_found["front_velocity"] for plug_found in one["plugs"]]
+            layers.setdefault("open line, 3 mm", []).extend((p["particle_velocity"] / (9.81 * 0.052) ** 0.5, p["layer_ratio"]) for p in one["plugs"] if p["layer_ratio"] is not None)
+    if not any(layers.values()):
+        return []
+    if draws:
+        means_picture(fronts, folder / "fig_13", *PLUG_VELOCITY_LABELS, "set xrange [0:3]\nset yrange [0:2.5]\n", 0.03)
+        layer_picture({name: rows_of for name, rows_of in layers.items() if rows_of}, folder / "fig_15")
+    return [("fig_13", "The paper's Fig. 13 with particles of 3 mm: mean of seeds, or of the single plugs of a line, with minimum and maximum; a plug that dies is shown at what its front did meanwhile"),
+            ("fig_15", "The paper's Fig. 15 with particles of 3 mm: the layer against the velocity of the particles in the plug")]  # fmt: skip
+
+
 def section():
     return Section(
         "grains",
@@ -99,4 +125,5 @@ def section():
         "In a periodic pipe of length L the solids of a pile of length S over a layer of ratio a make a plug of length (S - aL)/(1 - a): a slow plug, which leaves a thick layer, starves. An open line does not have that bound.",
         rows(),
         substitutes,
+        pictures,
     )

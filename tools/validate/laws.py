@@ -2,7 +2,6 @@
 and the layer from the balance of mass, 1 - V_p/W, beside the layer measured. Plugs of periodic pipes are means of a run, those of lines single ones."""
 
 from dataclasses import dataclass
-from pathlib import Path
 
 from drawing import Data, gnuplot
 from plug_verdict import verdict
@@ -131,19 +130,24 @@ def group_of(run):
     return "open line, 10 mm" if run in LINES_10MM else "open line, 3 mm" if run in LINES_3MM else "periodic, 3 mm" if run in TRUE else "periodic, 10 mm"
 
 
-def pictures(results, folder: Path):
+def pictures(results, folder, draws):
     found = {}
     for run, p in every(results):
         found.setdefault(group_of(run), []).append((p.particles / p.froude, p.front / p.froude))
     if not found:
         return []
+    if draws:
+        draw(found, folder)
+    return [("laws", "Velocity of plugs against that of their particles, beside two laws")]
+
+
+def draw(found, folder):
     most = max(x for rows in found.values() for x, _ in rows)
     end = 0.5 * (int(2 * most) + 1)
     with Data() as data:
-        curves = [f"0.967*x + 0.5 with lines linewidth 2 linecolor 'black' title 'Lavrinec et al.'", "x + 0.54 with lines linewidth 2 dashtype 2 linecolor 'black' title 'Konrad'"]
+        curves = ["0.967*x + 0.5 with lines linewidth 2 linecolor 'black' title 'Lavrinec et al.'", "x + 0.54 with lines linewidth 2 dashtype 2 linecolor 'black' title 'Konrad'"]
         curves += [f"'{data.file(rows)}' with points pointtype {(6, 4, 7, 5)[k % 4]} linecolor {k + 1} title '{name}' noenhanced" for k, (name, rows) in enumerate(sorted(found.items()))]
         gnuplot(f"set xlabel 'V_p / (g D)^{{1/2}}'\nset ylabel 'W / (g D)^{{1/2}}'\nset xrange [0:{end}]\nset yrange [0:{end + 1}]\nset key left top\nplot {', '.join(curves)}", folder / "laws")
-    return [("laws", "Velocity of plugs against that of their particles, beside two laws")]
 
 
 def section():

@@ -80,17 +80,22 @@ def seconds(results):
     return table(["time, s", *(words for words, _, _ in THEIRS.values()), "layer ratio", "solids flow, kg/s"], lines)
 
 
-def pictures(results, folder):
+def pictures(results, folder, draws):
     figures = results.of(RUN)
     if figures is None:
         return []
+    if draws:
+        draw(figures, folder)
+    return [("slug_5mm", "The slug over time, means over a second; dashed: Lethe's figures for the end of 5 s")]
+
+
+def draw(figures, folder):
     with Data() as data:
         curves = []
         for k, (key, (words, value, _)) in enumerate(THEIRS.items(), 1):
             rows_of = [(w["from"] + 0.5, w[key]) for w in figures["windows"]]
             curves += [f"'{data.file(rows_of)}' with linespoints linewidth 1.5 pointtype {5 + k} linecolor {k} title '{words}'", f"{value} with lines dashtype 2 linecolor {k} notitle"]
         gnuplot(f"set xlabel 'time, s'\nset ylabel 'm/s, m'\nset xrange [0:5]\nset yrange [0:2]\nset key outside top center horizontal\nplot {', '.join(curves)}", folder / "slug_5mm")
-    return [("slug_5mm", "The slug over time, means over a second; dashed: Lethe's figures for the end of 5 s")]
 
 
 def section():

@@ -82,12 +82,12 @@ def band(key, scale, low, high):
     return find
 
 
-def pictures(results, folder):
+def pictures(results, folder, draws):
     """Of runs whose files are here; the picture of one made elsewhere stays."""
     found = []
     for run in LINES_3MM:
         here = results.places.folder(run)
-        if (here / "slices.bin").exists() and (here / "summary.json").exists() and results.of(run):
+        if draws and (here / "slices.bin").exists() and (here / "summary.json").exists() and results.of(run):
             draw_line(here, tomllib.loads(results.places.text(run)), folder / run.base)
         if (folder / f"{run.base}.svg").exists():
             found.append((run.base, f"`{run.base}`: solids along the line against time, with the fronts of plugs; below, what the line does"))

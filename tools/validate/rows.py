@@ -43,7 +43,8 @@ class Row:
 
 @dataclass
 class Section:
-    """`tables(results)`: Markdown below the rows; `pictures(results, folder)`: draws, and returns names with their captions."""
+    """`tables(results)`: Markdown below the rows; `pictures(results, folder, draws)`: names with
+    captions of what there is to show, drawn first when `draws`."""
 
     name: str
     title: str
