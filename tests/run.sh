@@ -80,6 +80,7 @@ run_part results_test.py tests/results_test.py "$build" "$reports/results_test.p
 run_part kept_run_test.py tests/kept_run_test.py "$reports/kept_run_test.py.count"
 run_part line_files_test.py tests/line_files_test.py "$reports/line_files_test.py.count"
 run_part validate_contacts_test.py tests/validate_contacts_test.py "$reports/validate_contacts_test.py.count"
+run_part project_test.py tests/project_test.py "$build" "$reports/project_test.py.count"
 run_part validate_test.py tests/validate_test.py "$build" "$reports/validate_test.py.count"
 run_part make_test.py tests/make_test.py "$build" "$1" "$build/scratch/make" "$reports/make_test.py.count"
 run_part make_input_test.py tests/make_input_test.py "$build" "$1" "$build/scratch/make input" "$reports/make_input_test.py.count"

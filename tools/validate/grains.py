@@ -107,11 +107,12 @@ def pictures(results, folder, draws):
         if one and one["plugs"]:
             fronts.setdefault("open line, 3 mm", {})[gas] = [plug_found["front_velocity"] for plug_found in one["plugs"]]
             layers.setdefault("open line, 3 mm", []).extend((p["particle_velocity"] / (9.81 * 0.052) ** 0.5, p["layer_ratio"]) for p in one["plugs"] if p["layer_ratio"] is not None)
-    if not any(layers.values()):
+    layers = {name: rows_of for name, rows_of in layers.items() if rows_of}
+    if not (fronts and layers):
         return []
     if draws:
         means_picture(fronts, folder / "fig_13", *PLUG_VELOCITY_LABELS, "set xrange [0:3]\nset yrange [0:2.5]\n", 0.03)
-        layer_picture({name: rows_of for name, rows_of in layers.items() if rows_of}, folder / "fig_15")
+        layer_picture(layers, folder / "fig_15")
     return [("fig_13", "The paper's Fig. 13 with particles of 3 mm: mean of seeds, or of the single plugs of a line, with minimum and maximum; a plug that dies is shown at what its front did meanwhile"),
             ("fig_15", "The paper's Fig. 15 with particles of 3 mm: the layer against the velocity of the particles in the plug")]  # fmt: skip
 
