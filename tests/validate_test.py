@@ -85,7 +85,7 @@ class Kept(WithResults):
     def test_results_of_another_case_or_kernel_are_not_known(self):
         results, run = self.results(), Run("settle")
         results.put(run, {"status": "done"})
-        self.assertEqual(self.results().of(run), {"status": "done"})
+        self.assertEqual(self.results().of(run), {"status": "done", "run": "settle-seed1"})
         self.assertIsNone(self.results().of(Run("settle", seed=2)))
         cases = self.folder / "cases"
         shutil.copytree(root / "cases", cases, ignore=shutil.ignore_patterns("gallery", "validation"))
@@ -131,6 +131,12 @@ class Rules(WithResults):
     def test_a_row_without_its_runs_is_not_run_yet(self):
         row = rows.said("name", "what", "moves", [Run("settle")], lambda figures: "moves")
         self.assertEqual(row.found(self.results()).text, rows.NOT_RUN)
+
+    def test_a_row_with_some_of_its_runs_says_how_many(self):
+        results = self.results()
+        results.put(Run("settle"), {"v": 1.0})
+        row = rows.reported("name", "what", [Run("settle"), Run("settle", seed=2)], lambda figures: figures["v"], some=True)
+        self.assertEqual(row.found(results).text, "1.00 [1 of 2 runs]")
 
     def test_the_order_of_fig_13(self):
         figures = [{"plug": {"front_velocity": v}} for v in (1.1, 1.1, 1.1, 0.9, 0.9, 0.9)]

@@ -6,7 +6,7 @@ from figure_plug_velocity import PLUG_VELOCITY_LABELS, layer_picture, means_pict
 from plug_verdict import verdict
 from report import table
 from rows import Found, Row, Section, reported, said
-from scenes import LINES_3MM, SEEDS, axial_velocity, front, of_plug, plug, plugs
+from scenes import LINES_3MM, axial_velocity, front, of_plug, plug, plugs
 
 PAIRS = {"1.7": ("plug_d3_u17", "plug_u17_d3"), "2.4": ("plug_d3_u24", "plug_u24_d3")}
 GAP_3MM = [plug("plug_u17_d3", 1, "gap3", (("gas", "full_gap", "0.003"),)), plug("plug_u24_d3", 1, "gap3", (("gas", "full_gap", "0.003"),))]
@@ -24,14 +24,17 @@ def scale(key):
     return 1e-3 if key == "drop" else 1.0
 
 
-def beside(case, key):
-    """Means over three seeds of the true particles less that of the substitute, as a share of the latter."""
+def beside(key):
+    """The mean over seeds of the true particles less that of the substitute, as a share of the latter."""
 
     def find(figures):
-        true, substitute = ([of_plug(KEYS[key], scale(key))(one) for one in part] for part in (figures[:3], figures[3:]))
-        if any(value is None for value in [*true, *substitute]):
-            return Found("no plug is left", "-")
-        a, b = sum(true) / 3, sum(substitute) / 3
+        values = [(one["run"].startswith("plug_d3"), of_plug(KEYS[key], scale(key))(one)) for one in figures]
+        if any(value is None for _, value in values):
+            return Found("no plug is left")
+        true, substitute = ([value for is_true, value in values if is_true == wanted] for wanted in (True, False))
+        if not (true and substitute):
+            return Found("one of the two has not been run")
+        a, b = sum(true) / len(true), sum(substitute) / len(substitute)
         return Found(f"{a:.2f} ({min(true):.2f} to {max(true):.2f})", f"{100 * (a / b - 1):+.0f} % of {b:.2f} ({min(substitute):.2f} to {max(substitute):.2f})")
 
     return find
@@ -47,7 +50,7 @@ def outside_number(key):
         worst = max((value / expected - 1 for value in values), key=abs)
         return Found(f"{sum(values) / len(values):.{digits}f}", f"{100 * worst:+.0f} % at most", abs(worst) <= 0.10)
 
-    return Row(f"prototype-{key}", f"true 3 mm at 2.4 m/s: {NAMES[key]}", f"{expected:g} within 10 % (another program, one seed)", plugs("plug_d3_u24"), find)
+    return Row(f"prototype-{key}", f"true 3 mm at 2.4 m/s: {NAMES[key]}", f"{expected:g} within 10 % (another program, one seed)", plugs("plug_d3_u24"), find, True)
 
 
 def starving(figures):
@@ -57,23 +60,24 @@ def starving(figures):
         a = of_plug("layer_area_ratio")(one)
         if a is not None:
             off.append((PILE - a * PIPE) / (1 - a) - one["plug"]["length"])
-    worst = max(off, key=abs)
-    return Found(f"{min(off):+.3f} to {max(off):+.3f} m", f"{worst:+.3f}")
+    if not off:
+        return Found("no plug is left")
+    return Found(f"{min(off):+.3f} to {max(off):+.3f} m", f"{max(off, key=abs):+.3f}")
 
 
 def rows():
-    found = [said("true-u17-word", "true 3 mm at 1.7 m/s: what becomes of the plug", "dies", plugs("plug_d3_u17"), lambda f: verdict(f["plug"]), " (another program)")]
+    found = [said("true-u17-word", "true 3 mm at 1.7 m/s: what becomes of the plug", "dies", plugs("plug_d3_u17"), lambda f: verdict(f["plug"]), " (another program)", True)]
     found += [outside_number(key) for key in PROTOTYPE]
     for gas, (true, substitute) in PAIRS.items():
         for key in KEYS:
-            found.append(Row(f"u{gas.replace('.', '')}-{key}", f"true 3 mm at {gas} m/s: {NAMES[key]}", "as the substitute, if that is fair", [*plugs(true), *plugs(substitute)], beside(true, key)))
-    found.append(reported("true-u17-end", "true 3 mm at 1.7 m/s: mean axial velocity at 1.2 s, m/s", plugs("plug_d3_u17"), axial_velocity, 3))
+            found.append(Row(f"u{gas.replace('.', '')}-{key}", f"true 3 mm at {gas} m/s: {NAMES[key]}", "as the substitute, if that is fair", [*plugs(true), *plugs(substitute)], beside(key), True))
+    found.append(reported("true-u17-end", "true 3 mm at 1.7 m/s: mean axial velocity at 1.2 s, m/s", plugs("plug_d3_u17"), axial_velocity, 3, some=True))
     found.append(reported("gap-3mm-u17", "substitute at 1.7 m/s with a gap of 3 mm: plug velocity, m/s", GAP_3MM[:1], front, 2, "dies, if the gap is why"))
     found.append(reported("gap-3mm-u24", "substitute at 2.4 m/s with a gap of 3 mm: plug velocity, m/s", GAP_3MM[1:], front))
     found.append(reported("gap-10mm", "true 3 mm at 1.7 m/s with a gap of 10 mm: plug velocity, m/s", [GAP_10MM], front, 2, "moves, if the gap is why"))
     found.append(reported("solids", "true 3 mm at 1.7 m/s with 1.35 times the solids: plug velocity, m/s", [LONGER], front, 2, "moves, if it starves"))
     found.append(Row("starving", "length by (S - aL)/(1 - a) less that found, all plugs of 0.8 m that are left", "0, by the balance of solids",
-                     [run for pair in PAIRS.values() for case in pair for run in plugs(case)] + plugs("plug_u24"), starving))  # fmt: skip
+                     [run for pair in PAIRS.values() for case in pair for run in plugs(case)] + plugs("plug_u24"), starving, True))  # fmt: skip
     return found
 
 
@@ -98,7 +102,7 @@ def pictures(results, folder, draws):
     for name, at in plugs_of.items():
         for gas, case in at.items():
             found = [one for one in map(results.of, plugs(case)) if one is not None]
-            if len(found) == len(SEEDS):
+            if found:
                 fronts.setdefault(name, {})[gas] = [front(one) or 0.0 for one in found]
             moving = [one["plug"] for one in found if verdict(one["plug"]) == "moves"]
             layers.setdefault(name, []).extend((plug_found["particle_velocity"] / (9.81 * 0.05) ** 0.5, plug_found["layer_area_ratio"]) for plug_found in moving)

@@ -45,22 +45,20 @@ class Point:
         return 1 / (1 + 1.84 * self.particles / self.froude)
 
 
-def diameter(run):
-    return 0.052 if run.base.startswith("line_d3") else 0.05
-
-
-def points(run, figures):
+def points(figures):
+    name = figures["run"]
+    diameter = 0.052 if name.startswith("line_d3") else 0.05
     if figures.get("plugs") is not None:
-        return [Point(run.name, diameter(run), p["front_velocity"], p["particle_velocity"], p["layer_ratio"]) for p in figures["plugs"] if p["front_velocity"]]
+        return [Point(name, diameter, p["front_velocity"], p["particle_velocity"], p["layer_ratio"]) for p in figures["plugs"] if p["front_velocity"]]
     plug_found = figures["plug"]
     if verdict(plug_found) != "moves":
         return []
-    return [Point(run.name, diameter(run), plug_found["front_velocity"], plug_found["particle_velocity"], plug_found["layer_area_ratio"])]
+    return [Point(name, diameter, plug_found["front_velocity"], plug_found["particle_velocity"], plug_found["layer_area_ratio"])]
 
 
-def law(runs, of):
+def law(of):
     def find(figures):
-        found = [point for run, one in zip(runs, figures) for point in points(run, one)]
+        found = [point for one in figures for point in points(one)]
         off = [of(point) / point.front - 1 for point in found]
         if not off:
             return Found("no plug moves")
@@ -71,11 +69,11 @@ def law(runs, of):
     return find
 
 
-def mean_law(runs, of):
+def mean_law(of):
     """Of single plugs of a line: their mean, because a plug of a line speeds up and slows down."""
 
     def find(figures):
-        found = [point for run, one in zip(runs, figures) for point in points(run, one)]
+        found = [point for one in figures for point in points(one)]
         if not found:
             return Found("no plug moves")
         off = [of(point) / point.front - 1 for point in found]
@@ -85,9 +83,9 @@ def mean_law(runs, of):
     return find
 
 
-def layer(runs):
+def layer():
     def find(figures):
-        found = [point for run, one in zip(runs, figures) for point in points(run, one) if point.layer is not None]
+        found = [point for one in figures for point in points(one) if point.layer is not None]
         if not found:
             return Found("no plug moves")
         off = [point.layer - point.balance for point in found]
@@ -103,9 +101,9 @@ def rows():
     found = []
     for name, (words, of) in laws.items():
         for group, (which, runs, rule) in groups.items():
-            found.append(Row(f"{name}-{group}", f"{which}: {words}", f"1, within {100 * LIMIT:.0f} %", runs, rule(runs, of)))
+            found.append(Row(f"{name}-{group}", f"{which}: {words}", f"1, within {100 * LIMIT:.0f} %", runs, rule(of), group in ("true", "sweep")))
     for group, (which, runs, _) in groups.items():
-        found.append(Row(f"balance-{group}", f"{which}: layer measured less that of the balance of mass", "0, if the layer is at rest", runs, layer(runs)))
+        found.append(Row(f"balance-{group}", f"{which}: layer measured less that of the balance of mass", "0, if the layer is at rest", runs, layer(), group in ("true", "sweep")))
     return found
 
 
@@ -113,7 +111,7 @@ def every(results):
     for run in [*PLUGS, *TRUE, *sweep(), *SIZES, *LINES_10MM, *LINES_3MM]:
         figures = results.of(run)
         if figures:
-            yield from ((run, point) for point in points(run, figures))
+            yield from ((run, point) for point in points(figures))
 
 
 def single(results):

@@ -26,19 +26,24 @@ class Found:
 
 @dataclass
 class Row:
-    """`find` is given the figures of its runs, in their order."""
+    """`find` is given the figures of its runs, in their order; with `some`, of those that have been made, when there are any."""
 
     name: str
     what: str
     expected: str
     runs: list
     find: object
+    some: bool = False
 
     def found(self, results):
         figures = [results.of(run) for run in self.runs]
-        if any(one is None for one in figures):
-            return Found(NOT_RUN, "-", None)
-        return self.find(figures)
+        known = [one for one in figures if one is not None]
+        if len(known) == len(figures):
+            return self.find(figures)
+        if not (self.some and known):
+            return Found(NOT_RUN)
+        found = self.find(known)
+        return Found(f"{found.text} [{len(known)} of {len(figures)} runs]", found.difference, found.agrees)
 
 
 @dataclass
@@ -94,19 +99,19 @@ def within(name, what, low, high, runs, value, digits=2, source=""):
     return Row(name, what, f"{low:g} to {high:g}{source}", runs, find)
 
 
-def said(name, what, word, runs, value, source=""):
+def said(name, what, word, runs, value, source="", some=False):
     """Every run must show this word."""
 
     def find(figures):
         words = [value(one) for one in figures]
         return Found(", ".join(dict.fromkeys(words)), "-", all(found == word for found in words))
 
-    return Row(name, what, word + source, runs, find)
+    return Row(name, what, word + source, runs, find, some)
 
 
-def reported(name, what, runs, value, digits=2, expected="-"):
+def reported(name, what, runs, value, digits=2, expected="-", some=False):
     def find(figures):
         values = [value(one) for one in figures]
         return Found("none" if any(v is None for v in values) else spread(values, digits))
 
-    return Row(name, what, expected, runs, find)
+    return Row(name, what, expected, runs, find, some)

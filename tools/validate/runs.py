@@ -113,9 +113,9 @@ class Results:
                 raise SystemExit(f"{self.path}: {error}: restore it, or delete it to make all runs again") from None
 
     def of(self, run):
-        """Its figures; None where they are not known."""
+        """Its figures, and `run`, its name; None where they are not known."""
         entry = self.kept.get(run.name)
-        return entry["figures"] if entry and entry["identity"] == self.places.identity(run) else None
+        return entry["figures"] | {"run": run.name} if entry and entry["identity"] == self.places.identity(run) else None
 
     def put(self, run, figures):
         with self.lock, self.path.with_suffix(".lock").open("w") as alone:
