@@ -47,8 +47,8 @@ def fig_3(impacts, paths, out):
     return (
         "Velocity against displacement during an impact on a wall, for several alpha",
         f"Eq. (30) in its scaled form, by the kernel at a tenth of the usual time step. Without damping the maximum displacement is {deepest:.4f}, "
-        f"where it must be 1, and the particle leaves at {without_damping:.4f} of its velocity. Damping makes the way in shallower and takes "
-        "velocity off the way back; the curves end at x = 0, with the small attraction at the end of a contact not cut off, as eq. (30) has it.",
+        f"where it must be 1, and the particle leaves at {without_damping:.4f} of its velocity. Damping reduces the overlap and the "
+        "velocity of the rebound; the curves end at x = 0, with the small attraction at the end of a contact not cut off, as eq. (30) has it.",
     )
 
 
