@@ -72,7 +72,7 @@ test:  ## build and run every test; ends with "N passed, M failed"
 	$(if $(filter memory,$(SAN)),$(files) $(INSTRUMENTED)/lib/libc++.a)
 	+@$(MAKE) $(parallel) build-tests && { [ -n '$(SAN)' ] || $(MAKE) $(parallel) build-frontier CASE=settle QUICK=1; } || \
 	  { echo '0 passed, 1 failed'; exit 1; }
-	@PROGRAM_ONLY='$(filter memory,$(SAN))' FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' KILLS='$(if $(SAN),,100)' SWEEP_PYTHON="$(if $(SAN),,$(sweep_python))" \
+	@PROGRAM_ONLY='$(filter memory,$(SAN))' FRONTIER='$(if $(SAN),,$(build)/frontier/settle-quick)' KILLS='$(if $(SAN),,100)' SWEEP_PYTHON="$(if $(SAN),,$(sweep_python))" NUMPY_PYTHON="$(numpy_python)" \
 	  tests/run.sh '$(build)' '$(CXX)' $(test_flags)
 
 .PHONY: soak

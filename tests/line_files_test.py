@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What tools read of an open line (tools/report/slices.py, columns.py, line_files.py), and the table of tools/line_table: whole files, damaged
+"""What tools read of an open line (tools/python/slices.py, columns.py), and the table of tools/line_table: whole files, damaged
 ones and empty ones, without a run of the program.
 
 Usage: tests/line_files_test.py [COUNT_FILE]. Writes "PASSED FAILED" to COUNT_FILE. Exit code: 0 when all passed.
@@ -14,15 +14,14 @@ from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
-for folder in ("tools/report", "tools/line_table"):
+for folder in ("tools/report", "tools/python", "tools/line_table"):
     sys.path.insert(0, str(root / folder))
 
 import line_folder  # noqa: E402
 import line_table  # noqa: E402
-from columns import read_columns  # noqa: E402
+from columns import FixdemError, read_columns, read_plugs, read_probes  # noqa: E402
 from counted import run_and_count  # noqa: E402
-from line_files import fronts_of, read_plugs, read_probes, track  # noqa: E402
-from slices import Slices  # noqa: E402
+from slices import Slices, fronts_of, track  # noqa: E402
 from with_folder import WithFolder  # noqa: E402
 from with_seed import with_seed  # noqa: E402
 
@@ -31,7 +30,7 @@ LINE = line_folder.Line(duration=2.0)
 
 class Refusing(WithFolder):
     def refuses(self, action, *words):
-        with self.assertRaises(SystemExit) as said:
+        with self.assertRaises((FixdemError, SystemExit)) as said:
             action()
         for word in words:
             self.assertIn(str(word), str(said.exception))
@@ -66,7 +65,7 @@ class SlicesFile(Refusing):
         whole = line_folder.slices_bytes(LINE)
         head, _, records = whole.partition(b"\n")
         about = json.loads(head)
-        for size in (0, 1, 20, len(head) // 2, len(head) + 2, len(whole) - 1, len(whole) - 804):
+        for size in (0, 1, 20, len(head) // 2, len(head), len(head) + 2, len(whole) - 1, len(whole) - 804):
             self.refuses(lambda data=whole[:size]: Slices(self.file(data)), path)
         self.refuses(lambda: Slices(self.file(b"PK\x03\x04\n")), path, "fixdem slices")
         self.refuses(lambda: Slices(self.file(b"[1, 2]\n")), path, "fixdem slices")
@@ -79,7 +78,7 @@ class SlicesFile(Refusing):
 
     def test_as_a_table(self):
         path = self.file(line_folder.slices_bytes(LINE))
-        command = [sys.executable, root / "tools" / "report" / "slices.py", path]
+        command = [sys.executable, root / "tools" / "python" / "slices.py", path]
         rows = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
         self.assertEqual(rows[0], "time [s],z [m],solids_fraction,pressure [Pa above the outlet],particle_velocity [m/s]")
         self.assertEqual(len(rows), 1 + 101 * 200)
@@ -97,9 +96,14 @@ class Columns(Refusing):
     def test_damage_is_named(self):
         path = self.folder / "a.csv"
         self.refuses(lambda: read_columns(path), path, "is missing")
-        for text, words in (("", "is empty"), ("\n", "is empty"), ("t,z\n1,2\n3", ":3: 1 values in 2 columns"), ("t,z\n1,2,3\n", ":2:")):
+        damaged = {
+            "": "is empty", "\n": "is empty", "t,z\n1,2\n3": ":3: 1 values in 2 columns", "t,z\n1,2,3\n": ":2:", "t,z\n1,2\n3,4": ":3: the line has no end",
+            't\n"' + 200_000 * "1" + "\n": "damaged",
+        }  # fmt: skip
+        for text, words in damaged.items():
             self.refuses(lambda text=text: read_columns(self.write("a.csv", text)), path, words)
         self.refuses(lambda: read_columns(self.write("a.csv", "t,z\n"), ["u"]), path, "no column 'u'; there are: t, z")
+        self.refuses(lambda: read_columns(self.folder), self.folder, "cannot be read")
         path.write_bytes(b"t,z\n\x00\xff,2\n")
         self.assertEqual(len(read_columns(path)["t"]), 1)
 

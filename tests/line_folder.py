@@ -159,23 +159,42 @@ def particles(line, interval=0.05, feed=40.0, seed=1):
     return frames
 
 
-def frame_bytes(frame, grain, gradient):
-    """A frame as the program writes it, raw."""
+def vtp_bytes(numbers, arrays, as_text=False, order="<"):
+    """A file for ParaView as the program writes it. numbers: of points, cells; arrays: (part, name, type, its code, width, values)."""
     data, lines = b"", {}
+    for part, name, kind, code, width, values in arrays:
+        words = f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{width}" format='
+        if as_text:
+            lines.setdefault(part, []).append(f'{words}"ascii">{" ".join(map(repr, values))}</DataArray>')
+            continue
+        lines.setdefault(part, []).append(f'{words}"appended" offset="{len(data)}"/>')
+        packed = struct.pack(f"{order}{len(values)}{code}", *values)
+        data += struct.pack(order + "Q", len(packed)) + packed
+    parts = {part: f"<{part}>{''.join(text)}</{part}>" for part, text in lines.items()}
+    fields = parts.pop("FieldData", "")
+    head = (f'<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" byte_order="{"Little" if order == "<" else "Big"}Endian" header_type="UInt64"><PolyData><Piece {numbers}>'
+            f'{"".join(parts.values())}</Piece>{fields}</PolyData>\n')  # fmt: skip
+    return head.encode() + (b"" if as_text else b'<AppendedData encoding="raw">\n_' + data + b"\n</AppendedData>") + b"</VTKFile>\n"
+
+
+def frame_bytes(frame, grain, gradient, **how):
     count = len(frame)
     flat = lambda k: [value for particle in frame for value in particle[k]]  # noqa: E731
     arrays = [("Points", "Points", "Float64", "d", 3, flat(1)), ("PointData", "velocity", "Float64", "d", 3, flat(2)),
               ("PointData", "radius", "Float64", "d", 1, [grain / 2] * count), ("PointData", "contacts", "Int32", "i", 1, [2] * count),
               ("PointData", "id", "Int32", "i", 1, list(range(count))), ("PointData", "serial", "Int64", "q", 1, [p[0] for p in frame]),
               ("FieldData", "pressure_gradient", "Float64", "d", 1, gradient)]  # fmt: skip
-    for part, name, kind, code, width, values in arrays:
-        lines.setdefault(part, []).append(f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{width}" format="appended" offset="{len(data)}"/>')
-        packed = struct.pack(f"<{len(values)}{code}", *values)
-        data += struct.pack("<Q", len(packed)) + packed
-    parts = {part: f"<{part}>{''.join(text)}</{part}>" for part, text in lines.items()}
-    head = (f'<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64"><PolyData><Piece NumberOfPoints="{count}">'
-            f'{parts["Points"]}{parts["PointData"]}</Piece>{parts["FieldData"]}</PolyData>\n<AppendedData encoding="raw">\n_')  # fmt: skip
-    return head.encode() + data + b"\n</AppendedData></VTKFile>\n"
+    return vtp_bytes(f'NumberOfPoints="{count}"', arrays, **how)
+
+
+def contact_bytes(contacts, step, **how):
+    """contacts: (owner, partner, from, to, force on the partner)."""
+    count = len(contacts)
+    arrays = [("Points", "Points", "Float64", "d", 3, [x for c in contacts for x in (*c[2], *c[3])]),
+              ("CellData", "owner", "Int64", "q", 1, [c[0] for c in contacts]), ("CellData", "partner", "Int64", "q", 1, [c[1] for c in contacts]),
+              ("CellData", "normal_force", "Float64", "d", 1, [math.hypot(*c[4]) for c in contacts]), ("CellData", "force", "Float64", "d", 3, [x for c in contacts for x in c[4]]),
+              ("Lines", "connectivity", "Int64", "q", 1, list(range(2 * count))), ("FieldData", "step", "Int64", "q", 1, [step])]  # fmt: skip
+    return vtp_bytes(f'NumberOfPoints="{2 * count}" NumberOfVerts="0" NumberOfLines="{count}"', arrays, **how)
 
 
 def write_frames(folder, line, frames):

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 root = Path(__file__).parent.parent
-for part in ("tools/movie", "tools/picture", "tools/report", "tests"):
+for part in ("tools/movie", "tools/picture", "tools/report", "tools/python", "tests"):
     sys.path.insert(0, str(root / part))
 import line_folder
 import movie

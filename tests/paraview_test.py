@@ -16,7 +16,7 @@ from paraview import servermanager
 from paraview.simple import PVDReader
 
 run = Path(sys.argv[1])
-sys.path.insert(0, str(Path(__file__).parent.parent / "tools" / "report"))
+sys.path.insert(0, str(Path(__file__).parent.parent / "tools" / "python"))
 from frames import read_frame
 
 passed = failed = 0

@@ -199,7 +199,7 @@ class Signals(Results):
 class Page(WithFolder):
     def test_a_step_that_is_too_long_for_contacts_is_never_called_stable(self):
         root = Path(__file__).resolve().parent.parent
-        for folder in ("tools/run_report", "tools/report"):
+        for folder in ("tools/run_report", "tools/report", "tools/python"):
             sys.path.insert(0, str(root / folder))
         from page_content import time_step_verdicts
 

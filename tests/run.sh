@@ -6,7 +6,8 @@
 #
 # Usage: tests/run.sh BUILD_FOLDER CXX FLAGS...      Exit code: 0 when all passed, 1 otherwise.
 # Environment: FRONTIER, folder of the programs of `make frontier QUICK=1`; KILLS, how often tests/kill_test.py kills; SWEEP_PYTHON,
-# the python3 of tests/sweep/sweep_test.py. What is empty is left out. PROGRAM_ONLY, not empty: the test program alone.
+# the python3 of tests/sweep/sweep_test.py. What is empty is left out. NUMPY_PYTHON: a python3 with NumPy, where there is one, for
+# tests/python_reader_test.py. PROGRAM_ONLY, not empty: the test program alone.
 set -euo pipefail
 
 build=$1
@@ -79,6 +80,10 @@ run_part scaling_test.py tests/scaling_test.py "$reports/scaling_test.py.count"
 run_part results_test.py tests/results_test.py "$build" "$reports/results_test.py.count"
 run_part kept_run_test.py tests/kept_run_test.py "$reports/kept_run_test.py.count"
 run_part line_files_test.py tests/line_files_test.py "$reports/line_files_test.py.count"
+numpy_python=${NUMPY_PYTHON:-python3}
+"$numpy_python" -c 'import numpy' 2>/dev/null || numpy_python=python3
+run_part python_reader_test.py "$numpy_python" tests/python_reader_test.py "$reports/python_reader_test.py.count"
+sed -n '/are skipped$/s/^/  /p' "$reports/python_reader_test.py.txt"
 run_part validate_contacts_test.py tests/validate_contacts_test.py "$reports/validate_contacts_test.py.count"
 run_part project_test.py tests/project_test.py "$build" "$reports/project_test.py.count"
 run_part validate_test.py tests/validate_test.py "$build" "$reports/validate_test.py.count"

@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 
 root = Path(__file__).parent.parent.parent
-for part in ("tools/report", "tools/run_report", "tests"):
+for part in ("tools/report", "tools/run_report", "tools/python", "tests"):
     sys.path.insert(0, str(root / part))
 import line_content
 import line_folder
@@ -28,7 +28,7 @@ import page_content
 import page_parts
 import player_data
 import run_folder
-from columns import read_columns
+from columns import FixdemError, read_columns
 from frames import frame_list, read_frame
 
 passed = failed = 0
@@ -122,7 +122,7 @@ def coming_and_going():
         try:
             line_frames.LineFrames(run)
             check("a list without frames is refused", False)
-        except SystemExit as words:
+        except FixdemError as words:
             check("a list without frames is refused", "lists no frames" in str(words))
     last = max(particle[0] for _, frame in made for particle in frame)
     rows = unpacked(about, text)

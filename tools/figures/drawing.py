@@ -5,7 +5,7 @@ import tempfile
 from pathlib import Path
 
 root = Path(__file__).parent.parent
-for part in ("report", "picture"):
+for part in ("report", "picture", "python"):
     sys.path.insert(0, str(root / part))
 import report
 from side_view import axis, document, save, save_png

@@ -1,16 +1,15 @@
 """Open lines: solids fraction along the pipe against time, with the fronts of plugs and the stations, and below it what the line does:
 pressure at its inlet, gas velocity where it changes, masses in, out and in the pipe."""
 
-import json
 from array import array
 from itertools import accumulate
 from math import floor, log10
 
-from columns import read_columns
+from columns import FixdemError, read_columns, read_plugs, read_probes
 from drawing import Data, picture_of
-from line_files import fronts_of, read_plugs, read_probes, track
+from fixdem import read_summary
 from picture import STOPS
-from slices import Slices
+from slices import Slices, fronts_of, track
 
 CASES = ("line_10mm", "line_blocked", "line_ramp_up", "line_ramp_down", "line_vertical", "line_incline")
 FULL = 0.6  # solids fraction at the end of the scale
@@ -107,10 +106,10 @@ def words(run, case, summary):
 
 def line(run, case, path):
     """`run`: folder of a run of the case. Draws path.svg and path.png; returns title and text."""
-    summary, log = json.loads((run / "summary.json").read_text()), read_columns(run / "log.csv")
+    summary, log = read_summary(run), read_columns(run / "log.csv")
     slices = Slices(run / "slices.bin").at_least("solids_fraction")
     if not slices.times:
-        raise SystemExit(f"fixdem: {slices.path} has no moments: run the case to its end first")
+        raise FixdemError(f"{slices.path} has no moments: run the case to its end first")
     with Data() as data:
         script = "set multiplot\n" + map_script(run, case, slices, data, log["time [s]"][-1]) + curves_script(case, log, data) + "unset multiplot\n"
         picture_of(script, path, WIDTH, HEIGHT)

@@ -4,10 +4,10 @@ The share of a species at a height is the exact volume of its spheres between tw
 the highest large sphere; fine ones may still bounce above it.
 """
 
-import json
 from math import pi
 
 from drawing import Data, gnuplot, side_views
+from fixdem import read_summary
 from frames import frames_at
 
 PLUGS = {"plug_u24": "equal, 10 mm", "plug_sizes": "10 mm +- 20 %", "plug_two_sizes": "10 and 7 mm"}
@@ -72,7 +72,7 @@ def sauter(case, summary):
 
 def plugs(runs, cases, out):
     """`runs`: name -> folder of one run each, `cases`: name -> case. Returns title and text."""
-    summaries = {name: json.loads((run / "summary.json").read_text()) for name, run in runs.items()}
+    summaries = {name: read_summary(run) for name, run in runs.items()}
     panels = []
     for name, words in PLUGS.items():
         time, frame = frames_at(runs[name], (cases[name]["run"]["duration"],))[-1]

@@ -6,12 +6,12 @@ Draws into cases/gallery/ and rewrites the gallery and the scenes in cases/READM
 """
 
 import argparse
-import csv
 import sys
 import tomllib
 from pathlib import Path
 
-import drawing  # noqa: F401  finds the modules of tools/report and tools/picture
+import drawing  # noqa: F401  finds the modules of tools/report, tools/picture and tools/python
+from columns import as_command, read_columns
 from figure_heap import NAMES, heap
 from figure_impacts import fig_3, fig_4, read
 from figure_lines import CASES as LINES
@@ -31,12 +31,12 @@ IMPACTS, SETTLING, PLUGS = {3, 4}, {7, 8}, {10, 11, 12, 13, 14, 15}
 
 def plug_at(run):
     """time -> front and length of the plug in the nearest row of the log."""
-    with (run / "log.csv").open(newline="") as file:
-        rows = [row for row in csv.DictReader(file) if row["plug front [m]"]]
+    names = ("time [s]", "plug front [m]", "plug length [m]")
+    columns = read_columns(run / "log.csv", names)
+    rows = [row for row in zip(*(columns[name] for name in names)) if row[1] is not None]
 
     def at(time):
-        row = min(rows, key=lambda r: abs(float(r["time [s]"]) - time))
-        return float(row["plug front [m]"]), float(row["plug length [m]"])
+        return min(rows, key=lambda row: abs(row[0] - time))[1:]
 
     return at
 
@@ -129,4 +129,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(as_command(main))

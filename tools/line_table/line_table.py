@@ -12,9 +12,10 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
+for part in ("report", "python"):
+    sys.path.insert(0, str(Path(__file__).parent.parent / part))
+from columns import as_command, read_plugs, read_probes
 from kept_run import KeptRun
-from line_files import read_plugs, read_probes
 from marked_part import MarkedPart
 from report import table
 
@@ -156,4 +157,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    as_command(main)

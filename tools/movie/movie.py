@@ -15,8 +15,9 @@ from pathlib import Path
 
 import numpy as np
 
-for part in ("report", "run_report", "picture"):
+for part in ("report", "run_report", "picture", "python"):
     sys.path.insert(0, str(Path(__file__).parent.parent / part))
+from columns import as_command
 from line_frames import LineFrames, between
 from run_folder import read_frames
 from spheres import COLOURS, FINER, Painter
@@ -154,4 +155,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    as_command(main)

@@ -9,7 +9,9 @@ import sys
 import tomllib
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
+for part in ("report", "python"):
+    sys.path.insert(0, str(Path(__file__).parent.parent / part))
+from columns import as_command
 from frames import frames_at
 from side_view import axis, document, save
 
@@ -63,4 +65,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    as_command(main)

@@ -3,7 +3,7 @@
 // slices.bin begins with one line of JSON: version, byte order, number and length of the slices, names and units of the
 // quantities. Records follow, one for each moment: the time as a double, then each quantity as a float for every slice
 // from z = 0 on. A long run has
-// millions of them: as text they would take three times the space. tools/report/slices.py reads it, also into CSV.
+// millions of them: as text they would take three times the space. tools/python/slices.py reads it, also into CSV.
 #pragma once
 
 #include <string>

@@ -9,13 +9,13 @@ from html import escape
 import numpy as np
 import page_content
 import player_data
-from line_files import fronts_of, read_plugs, read_probes, track
+from columns import read_plugs, read_probes
 from line_frames import LineFrames
 from page_content import entry
 from page_parts import number, table
 from run_content import RunContent, map_data
 from run_folder import MOST_SLICES, by_slices, solids_fraction
-from slices import Slices
+from slices import Slices, fronts_of, track
 
 MOST_MOMENTS = 800  # rows of a picture
 MOST_ROWS = 1000  # of a station's series; of more, means over some

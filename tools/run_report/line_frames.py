@@ -8,15 +8,12 @@ used again. Where a row is empty it repeats what was there before (or is there f
 import heapq
 
 import numpy as np
-from frames import frame_list, read_frame
+from columns import FixdemError
+from fixdem import as_array
+from frames import read_frame, some_frames
 from run_folder import MOST_NUMBERS
 
 NAMES = ("serial", "position", "velocity", "contacts", "radius", "species")
-
-
-def as_array(part, order, code, width):
-    values = np.frombuffer(part, order + code)
-    return values if width == 1 else values.reshape(-1, width)
 
 
 class LineFrames:
@@ -25,12 +22,10 @@ class LineFrames:
     that frames are dense in time."""
 
     def __init__(self, run):
-        listed = frame_list(run / "frames.pvd")
-        if not listed:
-            raise SystemExit(f"fixdem: {run / 'frames.pvd'} lists no frames: go on with the run (make run RESUME=1), or run the case again")
+        listed = some_frames(run / "frames.pvd")
         largest = read_frame(max((path for _, path in listed), key=lambda path: path.stat().st_size), as_array)
         if "serial" not in largest:
-            raise SystemExit(f"fixdem: {run}: frames without serial numbers are not those of an open line: run the case again with this program")
+            raise FixdemError(f"{run}: frames without serial numbers are not those of an open line: run the case again with this program")
         self.share = max(1, -(-len(listed) * len(largest["serial"]) * 7 // MOST_NUMBERS))
         self.most, self.times, self.arrays, self.gradients = len(largest["serial"]), [time for time, _ in listed], [], []
         for _, path in listed:

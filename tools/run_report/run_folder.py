@@ -1,23 +1,16 @@
-"""What a run leaves in its folder, read for the page: summary, log as columns, frames as arrays, solids fraction by slices."""
+"""What a run leaves in its folder, read for the page: frames as arrays, solids fraction by slices."""
 
-import json
 import sys
 from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
-from frames import frame_list, read_frame
+sys.path.insert(0, str(Path(__file__).parent.parent / "python"))
+from fixdem import as_array
+from frames import read_frame, some_frames
 
 MOST_NUMBERS = 60_000_000  # of all frames together: beyond that, frames are skipped while reading (half a gigabyte)
 MOST_SLICES = 400  # columns of a map; more would not be told apart
-
-
-def read_summary(run):
-    path = run / "summary.json"
-    if not path.exists():
-        raise SystemExit(f"fixdem: {path} is missing: run the case first, or give its folder as OUT=...")
-    return json.loads(path.read_text())
 
 
 def read_frames(run):
@@ -25,18 +18,18 @@ def read_frames(run):
     slices, Pa/m; None without gas), radius (m) and species (None without) of each particle; None if the run wrote no frames."""
     if not (run / "frames.pvd").exists():
         return None
-    listed = frame_list(run / "frames.pvd")
-    first = read_frame(listed[0][1])
+    listed = some_frames(run / "frames.pvd")
+    first = read_frame(listed[0][1], as_array)
     every = max(1, -(-len(listed) * len(first["position"]) * 7 // MOST_NUMBERS))
     listed = listed[::every]
     frames = {"times": [time for time, _ in listed], "position": [], "velocity": [], "contacts": [], "pressure_gradient": []}
     for _, path in listed:
-        frame = read_frame(path)
+        frame = read_frame(path, as_array)
         for name in frames.keys() - {"times"}:
             if name in frame:
-                frames[name].append(np.array(frame[name]))
+                frames[name].append(frame[name])
     frames = {name: np.array(values) if values else None for name, values in frames.items()}
-    return frames | {name: np.array(first[name]) if name in first else None for name in ("radius", "species")}
+    return frames | {name: first.get(name) for name in ("radius", "species")}
 
 
 def slices_of(pipe, frames):

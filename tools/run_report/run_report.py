@@ -17,13 +17,15 @@ from html import escape
 from pathlib import Path
 from string import Template
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "report"))
+for part in ("report", "python"):
+    sys.path.insert(0, str(Path(__file__).parent.parent / part))
 
 import page_content
 import page_parts
 import player_data
 import run_folder
-from columns import read_columns
+from columns import as_command, read_columns
+from fixdem import read_summary
 from line_content import LineContent
 from run_content import RunContent
 
@@ -56,7 +58,7 @@ def directions(case):
 def links(run, page, case_name, reports):
     here = page.parent
     files = [("summary.json", "the figures of this page"), ("log.csv", "every row of the charts"), ("frames.pvd", "for ParaView"),
-             ("contacts.pvd", "the contact forces, for ParaView"), ("plugs.csv", "every plug"), ("slices.bin", "slices along the pipe, for tools/report/slices.py")]
+             ("contacts.pvd", "the contact forces, for ParaView"), ("plugs.csv", "every plug"), ("slices.bin", "slices along the pipe, for tools/python/slices.py")]
     files += [(path.name, "a station") for path in sorted(run.glob("probe_*.csv"))]
     found = [(run / name, text) for name, text in files] + [(reports / case_name / name, text) for name, text in OTHER_REPORTS.items()]
     items = [f'<li><a href="{escape(os.path.relpath(path, here))}">{path.name}</a>: {text}</li>' for path, text in found if path.exists()]
@@ -65,7 +67,7 @@ def links(run, page, case_name, reports):
 
 def build(arguments):
     run = arguments.run
-    summary, log = run_folder.read_summary(run), read_columns(run / "log.csv")
+    summary, log = read_summary(run), read_columns(run / "log.csv")
     case = tomllib.loads(arguments.case.read_text())
     version = about_program(arguments.program)
     log["kinetic"] = [a + b for a, b in zip(log["kinetic energy translation [J]"], log["kinetic energy rotation [J]"])]
@@ -116,4 +118,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    as_command(main)

@@ -9,17 +9,21 @@ Ends with exit code 1 when a promise does not hold; the page says which. --quick
 
 import argparse
 import csv
-import json
 import math
 import re
 import shutil
 import subprocess
+import sys
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import page
 import pictures
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "python"))
+from columns import as_command, read_columns  # noqa: E402
+from fixdem import read_summary  # noqa: E402
 
 TABLE_1_STEPS = [5e-7, 1e-6, 2e-6, 5e-6, 1e-5, 2e-5, 2.5e-5, 3e-5, 3.5e-5, 4e-5, 5e-5]  # s
 FEWER_STEPS = [5e-7, 2e-6, 1e-5, 2e-5, 3e-5, 3.5e-5, 5e-5]  # for many particles
@@ -60,7 +64,8 @@ class Report:
 
 def own_run(results):
     """Summary and log of the case's own run."""
-    return json.loads((results / "summary.json").read_text()), rows_of(results / "log.csv")
+    columns = read_columns(results / "log.csv", ["time [s]"])
+    return read_summary(results), [dict(zip(columns, row)) for row in zip(*columns.values())]
 
 
 def limits(report, scratch, speed, quick):
@@ -222,4 +227,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    as_command(main)

@@ -4,8 +4,7 @@ import json
 import math
 from dataclasses import asdict
 
-from columns import read_columns
-from line_files import read_plugs
+from columns import read_columns, read_plugs
 from slices import Slices
 
 WINDOW = 1.0  # s

@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 root = Path(__file__).parent.parent
-for part in ("report", "peers", "picture", "figures", "validate"):
+for part in ("report", "peers", "picture", "figures", "python", "validate"):
     sys.path.insert(0, str(root / part))
 from derived_cases import with_value
 from extract import figures_of

@@ -26,6 +26,7 @@ import paper
 import softer
 import speed
 import tension
+from columns import as_command
 from rows import NOT_RUN
 
 SECTIONS = (paper, grains, tension, laws, lines, lethe, balance, softer, speed)
@@ -147,4 +148,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(as_command(main))
