@@ -63,8 +63,9 @@ def law(of):
         if not off:
             return Found("no plug moves")
         worst = max(off, key=abs)
+        where = found[off.index(worst)]
         rms = (sum(value**2 for value in off) / len(off)) ** 0.5
-        return Found(f"{len(off)} plugs: {100 * min(off):+.1f} to {100 * max(off):+.1f} %, {100 * rms:.1f} % rms", f"{100 * worst:+.1f} %", abs(worst) <= LIMIT)
+        return Found(f"{len(off)} plugs: {100 * min(off):+.1f} to {100 * max(off):+.1f} %, {100 * rms:.1f} % rms", f"{100 * worst:+.1f} % (`{where.name}`, W {where.front:.2f} m/s)", abs(worst) <= LIMIT)
 
     return find
 
