@@ -20,6 +20,9 @@ READINGS = {  # label: (what it reads differently, keys of the plug, keys of its
     "wall02": ("walls with friction 0.2", (("material", "wall_friction", "0.2"),), (("material", "wall_friction", "0.2"),)),
     "wall05": ("walls with friction 0.5", (("material", "wall_friction", "0.5"),), (("material", "wall_friction", "0.5"),)),
     "walle": ("walls with restitution 0.5", (("material", "wall_restitution", "0.5"),), (("material", "wall_restitution", "0.5"),)),
+    "slider": ('eqs. (10) to (12) to the letter: slider = "paper"', (("contact", "slider", '"paper"'),), (("contact", "slider", '"paper"'),)),
+    "rescale": ('a tangential spring that makes no energy: tangential = "rescale"', (("contact", "tangential", '"rescale"'),), (("contact", "tangential", '"rescale"'),)),
+    "slices20": ("slices of two diameters", (("gas", "slice_length", "0.02"),), ()),
     "elastic": ("friction limited by the elastic force", (("contact", "friction_limit", '"elastic"'),), (("contact", "friction_limit", '"elastic"'),)),
 }
 
