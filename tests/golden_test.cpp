@@ -31,7 +31,8 @@ namespace {
 namespace files = std::filesystem;
 
 const char* const head =
-    "# Final states after 0.04 s, or 0.004 s of more than 10 000 particles: case, precision, steps, state_hash. Renewed by `make golden`, never by hand.\n";
+    "# Final states after 0.04 s, or 0.004 s of more than 10 000 particles: case, precision, steps, state_hash. "
+    "Renewed by `make golden`, never by hand.\n";
 
 struct Pinned {
   std::string path;       ///< of the program
@@ -87,6 +88,13 @@ fixdem::program::StoredState pile_of_sizes(const std::string& case_name) {
   return state;
 }
 
+/// A number of the case: the first of this key in a table.
+double number(const std::string& text, const std::string& table, const std::string& key) {
+  std::smatch found;
+  REQUIRE(std::regex_search(text, found, std::regex("\\[" + table + "\\][^\\[]*\n *" + key + " *= *([0-9.e-]+)")));
+  return std::stod(found[1]);
+}
+
 /// Options that make the run short, quiet and independent of other runs.
 std::string options(const std::string& case_name) {
   const std::string text = read_bytes(files::path(FIXDEM_CASES_DIR) / (case_name + ".toml"));
@@ -99,8 +107,13 @@ std::string options(const std::string& case_name) {
     const bool has_sizes = std::regex_search(text, std::regex("\n *\\[+particles\\."));
     REQUIRE(std::regex_search(text, found, std::regex("\n *count *= *([0-9]+)")));
     const files::path state = scratch("golden-" + case_name + ".fixdem");
-    fixdem::program::write_state(state,
-                                 has_sizes ? pile_of_sizes(predecessor) : pile(std::stoi(found[1]), predecessor));
+    const int count = std::stoi(found[1]);
+    const auto own_pile = [&] {
+      return pile(count, predecessor, number(text, "particles", "diameter"),
+                  {number(text, "pipe", "diameter"), 0.99 * number(text, "pipe", "length"), false});
+    };
+    fixdem::program::write_state(
+        state, has_sizes ? pile_of_sizes(predecessor) : (is_large ? own_pile() : pile(count, predecessor)));
     chosen += " --start-state " + shell_word(state);
   } else if (std::regex_search(text, std::regex("\n *arrangement *= *\"random\""))) {
     chosen += " --seed 1";

@@ -9,14 +9,16 @@
 
 namespace fixdem::tests {
 
-inline program::StoredState pile(int count, const std::string& case_name) {
+/// In a pipe that is 50 mm wide and a little more than 0.79 m long, or in another one.
+inline program::StoredState pile(int count, const std::string& case_name, double diameter = 0.01,
+                                 program::Container pipe = {0.05, 0.79, false}) {
   program::StoredState state;
   state.case_name = case_name;
   state.complete = true;
-  state.diameter = 0.01;
+  state.diameter = diameter;
   state.time = state.duration = 1.2;
   state.step = 600000;
-  state.particles = program::arrange_moving({0.05, 0.79, false}, count, 0.01, 0, 1);
+  state.particles = program::arrange_moving(pipe, count, diameter, 0, 1);
   state.images.assign(static_cast<std::size_t>(count), 0);
   return state;
 }
