@@ -56,12 +56,12 @@ def windows(log, case):
 
 
 def energies(log, times):
-    """Kinetic energy (J) in the rows of the log nearest to these times; None after the end of the run."""
-    names = ("time [s]", "kinetic energy translation [J]", "kinetic energy rotation [J]")
+    """Kinetic energy of translation (J) in the rows of the log nearest to these times; None after the end of the run."""
+    names = ("time [s]", "kinetic energy translation [J]")
     columns = read_columns(log, names)
     rows = list(zip(*(columns[name] for name in names)))
     nearest = [min(rows, key=lambda row: abs(row[0] - time)) for time in times]
-    return [a + b if abs(time - found) < 1e-3 else None for time, (found, a, b) in zip(times, nearest)]
+    return [energy if abs(time - found) < 1e-3 else None for time, (found, energy) in zip(times, nearest)]
 
 
 def packed_parts(solids):
