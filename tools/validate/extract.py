@@ -88,7 +88,8 @@ def ergun(case, solids, slip):
 
 def stresses(folder, case):
     """Of a line, summed over the packed stretches of its slices that lie within the followed part of the pipe: pressure drop found and by
-    Ergun's equation; shear on the wall over friction times normal force; and pairs of axial and wall stress.
+    Ergun's equation; shear on the wall over friction times normal force; and axial and wall stress in tenths of the plugs from rear to
+    front, mean over all plugs and moments, because a single slice holds too few contacts.
 
     The axial stress follows from the balance of forces of slices that move steadily, from the rear, which is free, to the front:
     d(stress)/dz = (force of the gas - shear on the wall)/(area dz). The normal stress on the wall is the sum of forces over its area, less
@@ -100,7 +101,7 @@ def stresses(folder, case):
     area, around = math.pi * diameter**2 / 4, math.pi * diameter
     since = case["output"].get("statistics_from", case["run"]["duration"] / 2)
     drop = by_ergun = shear = normal = 0.0
-    pairs = []
+    tenths = [[] for _ in range(10)]
     for at, time in enumerate(slices.times):
         if time < since:
             continue
@@ -115,23 +116,25 @@ def stresses(folder, case):
             shear += sum(v["wall_shear"][at][k] for k in inner)
             normal += sum(v["wall_force"][at][k] for k in inner)
             axial = 0.0
-            for k in inner:
+            for number, k in enumerate(inner):
                 push = (pressure[k] - pressure[k + 1]) * area
                 axial += (push - v["wall_shear"][at][k]) / area
                 weight = solids[k] * case["particles"]["density"] * GRAVITY * diameter / 4
-                pairs.append((axial, v["wall_force"][at][k] / (around * dz) - weight))
-    if not pairs:
+                tenths[10 * number // len(inner)].append((axial, v["wall_force"][at][k] / (around * dz) - weight))
+    if not all(tenths):
         return None
-    x, y = mean([a for a, _ in pairs]), mean([b for _, b in pairs])
-    spread = math.sqrt(sum((a - x) ** 2 for a, _ in pairs) * sum((b - y) ** 2 for _, b in pairs))
+    profile = [(mean([a for a, _ in part]), mean([b for _, b in part])) for part in tenths]
+    x, y = mean([a for a, _ in profile]), mean([b for _, b in profile])
+    spread = math.sqrt(sum((a - x) ** 2 for a, _ in profile) * sum((b - y) ** 2 for _, b in profile))
     return {
-        "slices": len(pairs),
+        "slices": sum(map(len, tenths)),
         "drop_over_ergun": drop / by_ergun,
         "mobilised": abs(shear) / (mu * normal),
         "axial_stress": x,
         "wall_stress": y,
-        "ratio": slope(pairs),
-        "correlation": sum((a - x) * (b - y) for a, b in pairs) / spread,
+        "profile": profile,
+        "ratio": slope(profile),
+        "correlation": sum((a - x) * (b - y) for a, b in profile) / spread,
     }
 
 

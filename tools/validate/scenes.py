@@ -3,7 +3,7 @@
 from runs import Run
 
 SEEDS = (1, 2, 3)
-FILLS = {"plug_u24_n500": "fill_500", "plug_d3_u17": "fill_d3", "plug_d3_u24": "fill_d3", "slug_5mm": "fill_5mm"}
+FILLS = {"plug_u24_n500": "fill_500", "plug_d3_u17": "fill_d3", "plug_d3_u24": "fill_d3", "slug_5mm": "fill_5mm", "plug_sizes": "fill_sizes", "plug_two_sizes": "fill_two_sizes"}
 PAPER = ("plug_u17", "plug_u24", "plug_u17_d3", "plug_u24_d3", "plug_u24_n500")
 
 
