@@ -52,9 +52,10 @@ def pictures(results, folder, draws):
         with Data() as data:
             curves = []
             for name, found in profiles.items():
+                title = name.replace("mm", " mm")
                 for which, words in enumerate(("axial", "on the wall")):
                     rows_of = [(k + 0.5, sum(one["profile"][k][which] for one in found) / len(found)) for k in range(10)]
-                    curves.append(f"'{data.file(rows_of)}' with linespoints linewidth 1.5 pointtype {4 + len(curves)} linecolor {len(curves) + 1} title '{name.replace("mm", " mm")}, {words}'")
+                    curves.append(f"'{data.file(rows_of)}' with linespoints linewidth 1.5 pointtype {4 + len(curves)} linecolor {len(curves) + 1} title '{title}, {words}'")
             gnuplot(f"set xlabel 'tenths of the plug, from rear to front'\nset ylabel 'stress, Pa'\nset xrange [0:10]\nset yrange [0:*]\nset key outside top center horizontal\nplot {', '.join(curves)}", folder / "stresses")
     return [("stresses", "Stress along plugs, mean over all plugs of a line: axial, and on the wall beyond what weight makes")]
 
