@@ -52,7 +52,10 @@ def draw(sweep, points, out):
         return []
     groups, pictures = grouped(sweep, done, keys), []
     with_gas = any(point.summary["plug"] for point in done)
+    with_plug = any(point.figures().get("front_velocity") is not None for point in done)
     for figure in sweep.plot.get("y", ["front_velocity"] if with_gas else ["kinetic_energy"]):
+        if figure == "front_velocity" and not with_plug:
+            continue  # nothing but zeros
         series = {}
         for name, members in groups.items():
             at = series.setdefault(name, {})
