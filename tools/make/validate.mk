@@ -12,7 +12,7 @@ validate_page = $(if $(QUICK),$(validate_quick)/VALIDATION.md --results $(valida
 
 .PHONY: validate
 validate:  ## hold results against the paper, slug laws, a peer's slug, published contacts: cases/VALIDATION.md; ROW=section/name or SECTION=name alone; KEPT=1 runs nothing; QUICK=1 one short run
-	$(needs) run report $(if $(with_contacts),test)
+	$(needs) run report picture $(if $(with_contacts),test)
 	$(files) $(casegen) $(if $(with_contacts),$(contact_records))
 	+@$(if $(QUICK),rm -rf $(validate_quick);) tools/validate/validate.py $(validate_page) --build $(build) --out $(validate_out) --jobs $(JOBS) --make '$(MAKE) $(parallel)' \
 	  $(if $(ROW),--row '$(ROW)') $(if $(SECTION),--section '$(SECTION)') $(if $(KEPT),--kept) $(if $(with_contacts),--contacts $(contact_records))
