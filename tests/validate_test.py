@@ -138,6 +138,10 @@ class Rules(WithResults):
         row = rows.reported("name", "what", [Run("settle"), Run("settle", seed=2)], lambda figures: figures["v"], some=True)
         self.assertEqual(row.found(results).text, "1.00 [1 of 2 runs]")
 
+    def test_few_plugs_of_a_line_are_reported_only(self):
+        found = rows.Found("0.50", "+0.00", True)
+        self.assertEqual([found.of_plugs(count).verdict for count in (9, 10)], ["report only", "agrees"])
+
     def test_the_order_of_fig_13(self):
         figures = [{"plug": {"front_velocity": v}} for v in (1.1, 1.1, 1.1, 0.9, 0.9, 0.9)]
         self.assertFalse(paper.order(figures).agrees)

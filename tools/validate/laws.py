@@ -79,7 +79,7 @@ def mean_law(of):
             return Found("no plug moves")
         off = [of(point) / point.front - 1 for point in found]
         mean = sum(off) / len(off)
-        return Found(f"{len(off)} plugs: mean {100 * mean:+.1f} %, single ones {100 * min(off):+.0f} to {100 * max(off):+.0f} %", f"{100 * mean:+.1f} %", abs(mean) <= LIMIT)
+        return Found(f"{len(off)} plugs: mean {100 * mean:+.1f} %, single ones {100 * min(off):+.0f} to {100 * max(off):+.0f} %", f"{100 * mean:+.1f} %", abs(mean) <= LIMIT).of_plugs(len(off))
 
     return find
 

@@ -37,7 +37,7 @@ def froude_part(figures):
     if line["plug_velocity"] is None:
         return Found("no plug")
     value = (line["plug_velocity"] - 0.967 * line["plug_particle_velocity"]) / FROUDE
-    return Found(f"{value:.2f}", f"{value - 0.5:+.2f}", abs(value - 0.5) <= 0.07)
+    return Found(f"{value:.2f}", f"{value - 0.5:+.2f}", abs(value - 0.5) <= 0.07).of_plugs(line["plugs"])
 
 
 def eq41(figures):
@@ -45,12 +45,12 @@ def eq41(figures):
     if line["layer_ratio"] is None or line["layer_ratio_eq41"] is None:
         return Found("no plug")
     off = line["layer_ratio"] - line["layer_ratio_eq41"]
-    return Found(f"{line['layer_ratio']:.2f} beside {line['layer_ratio_eq41']:.2f}", f"{off:+.2f}", abs(off) <= 0.05)
+    return Found(f"{line['layer_ratio']:.2f} beside {line['layer_ratio_eq41']:.2f}", f"{off:+.2f}", abs(off) <= 0.05).of_plugs(line["plugs"])
 
 
 def beside_periodic(figures):
     line, others = figures[0]["line"], [front(one) for one in figures[1:]]
-    if line["plug_velocity"] is None or any(value is None for value in others):
+    if not line or line["plug_velocity"] is None or not others or any(value is None for value in others):
         return Found("no plug in one of them")
     return Found(f"{line['plug_velocity']:.2f} beside {sum(others) / len(others):.2f}", f"{line['plug_velocity'] - sum(others) / len(others):+.2f}")
 
@@ -62,7 +62,7 @@ def rows():
         found += [Row(f"{name}-{key}", f"3 mm at {gas} m/s: {words}", "-", [run], of_line(of, scale, digits)) for key, (words, of, scale, digits) in QUANTITIES.items()]
         found.append(Row(f"{name}-froude", f"3 mm at {gas} m/s: (W - 0.967 V_p) over sqrt(g D)", "0.5 within 0.07 (Lavrinec; the band of 10 mm lines)", [run], froude_part))
         found.append(Row(f"{name}-eq41", f"3 mm at {gas} m/s: layer ratio beside eq. (41)", "within 0.05 (the band of 10 mm lines)", [run], eq41))
-        found.append(Row(f"{name}-periodic", f"3 mm at {gas} m/s: W beside the plug set up by hand, m/s", "-", [run, *plugs(f"plug_d3_{name}")], beside_periodic))
+        found.append(Row(f"{name}-periodic", f"3 mm at {gas} m/s: W beside the plug set up by hand, m/s", "-", [run, *plugs(f"plug_d3_{name}")], beside_periodic, True))
     found.append(Row("10mm-pressure", "10 mm at 2.4 m/s, three seeds: pressure at the inlet, kPa", "1.7 to 2.5 (another program)", LINES_10MM, band("inlet_pressure", 1e-3, 1.7, 2.5)))
     found.append(Row("10mm-W", "10 mm at 2.4 m/s, three seeds: W, m/s", "0.75 to 0.95 (another program)", LINES_10MM, band("plug_velocity", 1, 0.75, 0.95)))
     found.append(Row("10mm-layer", "10 mm at 2.4 m/s, three seeds: layer ratio", "0.37 to 0.46 (another program)", LINES_10MM, band("layer_ratio", 1, 0.37, 0.46)))

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from report import table
 
 NOT_RUN = "not run yet"
+ENOUGH_PLUGS = 10  # of a line, whose plugs come in bursts: fewer are reported without a verdict
 
 
 @dataclass
@@ -18,6 +19,10 @@ class Found:
     text: str
     difference: str = "-"
     agrees: bool | None = None
+
+    def of_plugs(self, count):
+        """Without a verdict where they are too few."""
+        return self if count >= ENOUGH_PLUGS else Found(f"{self.text} [{count} plugs, {ENOUGH_PLUGS} are needed]", self.difference)
 
     @property
     def verdict(self):
