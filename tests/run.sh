@@ -82,6 +82,7 @@ run_part kept_run_test.py tests/kept_run_test.py "$reports/kept_run_test.py.coun
 run_part line_files_test.py tests/line_files_test.py "$reports/line_files_test.py.count"
 numpy_python=${NUMPY_PYTHON:-python3}
 "$numpy_python" -c 'import numpy' 2>/dev/null || numpy_python=python3
+run_part python_files_test.py tests/python_files_test.py "$reports/python_files_test.py.count"
 run_part python_reader_test.py "$numpy_python" tests/python_reader_test.py "$reports/python_reader_test.py.count"
 sed -n '/are skipped$/s/^/  /p' "$reports/python_reader_test.py.txt"
 run_part validate_contacts_test.py tests/validate_contacts_test.py "$reports/validate_contacts_test.py.count"

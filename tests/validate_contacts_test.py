@@ -16,7 +16,7 @@ from counted import run_and_count  # noqa: E402
 from with_folder import WithFolder  # noqa: E402
 
 HEAD = ",".join(contacts.HEAD) + "\n"
-AGREES = 'chung-ooi-1,glass,"overlap, greatest",um,274.113,274.12,0.14,closed form (Hertz)\n'
+AGREES = 'chung-ooi-1,glass,"maximum overlap",um,274.113,274.12,0.14,closed form (Hertz)\n'
 DIFFERS = "mfix-dem06,in the end,velocity,m/s,-0.0574,-0.0575,1e-05,published\n"
 REPORTED = "chung-ooi-4-experiment,2.03 degrees,e_t,,0.794,1.003,,experiment\n"
 
@@ -36,10 +36,10 @@ class Contacts(WithFolder):
         self.assertEqual([title.partition(":")[0] for title, _, _ in parts], ["Chung & Ooi 1", "Chung & Ooi 4 and MFIX DEM05", "MFIX DEM06"])
         agrees, reported, differs = (rows[0] for _, _, rows in parts)
         self.assertEqual([row["verdict"] for row in (agrees, reported, differs)], ["agrees", "report only", "**differs**"])
-        self.assertEqual((agrees["id"], agrees["expected"], agrees["allowed"]), ("chung-ooi-1/glass/overlap, greatest", 274.113, 0.14))
+        self.assertEqual((agrees["id"], agrees["expected"], agrees["allowed"]), ("chung-ooi-1/glass/maximum overlap", 274.113, 0.14))
         self.assertAlmostEqual(differs["difference"], -1e-4)
         self.assertIsNone(reported["allowed"])
-        self.assertIn("| glass | overlap, greatest, um | 274.113 | 274.12 | 0.007 | 0.14 | agrees |", parts[0][1])
+        self.assertIn("| glass | maximum overlap, um | 274.113 | 274.12 | 0.007 | 0.14 | agrees |", parts[0][1])
         self.assertIn("| 0.21 |  | report only |", parts[1][1])
         self.assertIn("Expected: closed form (Hertz).", parts[0][1])
 
